@@ -5,6 +5,8 @@ set(CPACK_PACKAGE_CONTACT "The Understudy authors <understudy@packages.invalid>"
     "Maintainer of the Debian package")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+# Without the component `development`.
+set(CPACK_INSTALL_CMAKE_PROJECTS ${PROJECT_BINARY_DIR} understudy Unspecified / ${PROJECT_BINARY_DIR} understudy data /)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
     WORLD_READ WORLD_EXECUTE)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -25,7 +27,7 @@ judges scenarios, records and replays, and shows the robot in a window, in a
 browser and in films.")
 # Libraries by dpkg-shlibdeps; then what is loaded or run only where it is wanted.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1, ffmpeg, gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1, ffmpeg")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xdg-utils")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "")
 foreach(script conffiles prerm postrm)

@@ -1,4 +1,6 @@
 // The program `understudy`: parses the command line and runs the chosen command.
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <iostream>
 #include <sstream>
@@ -72,6 +74,13 @@ int Help(const CLI::App& app, int argc, const char* const* argv) {
   return 0;
 }
 
+// How many words follow the first --; 0 if there is none.
+std::size_t WordsAfterDashes(int argc, char** argv) {
+  char** const end = argv + argc;
+  char** const dashes = std::find(argv, end, std::string_view("--"));
+  return dashes == end ? 0 : static_cast<std::size_t>(end - dashes - 1);
+}
+
 int Main(int argc, char** argv) {
   CLI::App app(
       "Understudy simulates a Unitree robot: programs written with Unitree SDK 2 run against it\n"
@@ -83,10 +92,12 @@ int Main(int argc, char** argv) {
   commands::Chosen chosen;
 
   // Commands of this program and of the companions.
-  commands::AddRunCommands(&app, &chosen);
+  const std::size_t after_dashes = WordsAfterDashes(argc, argv);
+  commands::AddRunCommands(&app, &chosen, &after_dashes);
   ctl::CtlCommand ctl(&app, &std::cout);
   commands::AddTerrainCommand(&app, &chosen);
-  commands::AddRehearseCommands(&app, &chosen);
+  commands::AddRehearseCommand(&app, &chosen);
+  commands::AddJudgeCommand(&app, &chosen);
 
   viewer::ViewArguments view;
   viewer::PictureArguments picture;
@@ -108,10 +119,10 @@ int Main(int argc, char** argv) {
   commands::AddRecordingCommand(&app, &chosen);
   commands::AddNewCommand(&app, &chosen);
   commands::AddExportCommand(&app, &chosen);
+  commands::AddPolicyCommand(&app, &chosen);
   commands::AddDoctorCommand(&app, &chosen);
   commands::AddInspectCommands(&app, &chosen);
   commands::AddCompletionsCommand(&app, &chosen);
-  commands::AddManualCommand(&app, &chosen);
 
   // Command line.
   try {

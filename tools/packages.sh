@@ -5,6 +5,7 @@ build_packages=(
   "g++:compiles it"
   "cmake:configures the build"
   "ninja-build:runs the build"
+  "python3:writes the manual pages"
   "libmujoco-dev:physics (MuJoCo 2.2.2)"
   "libtinyxml2-dev:reads robot models"
   "cyclonedds-dev:DDS, what the robot speaks (Cyclone DDS 0.10.2)"
@@ -21,6 +22,7 @@ build_packages=(
   "nlohmann-json3-dev:JSON of services and status"
   "libglfw3-dev:window onto a robot"
   "libegl-dev:pictures without a display"
+  "libturbojpeg0-dev:pictures of a robot's cameras"
   "libsdl2-dev:gamepads of understudy remote"
   "libboost-dev:local HTTP of the control socket (Beast)"
   "libjs-three:3-D in the browser panel (three.js)"
@@ -28,13 +30,14 @@ build_packages=(
 )
 
 unit_packages=(
+  "clang:compiles the tests, in half the time of g++"
+  "mold:links them"
   "libgtest-dev:unit tests"
   "libgmock-dev:unit tests"
   "ffmpeg:makes and measures films"
 )
 
 test_packages=(
-  "gnuplot-nox:pictures of recordings"
   "python3-venv:a Python environment for the vendor's SDKs"
   "python3-dev:compiles the SDK's DDS binding"
   "iproute2:puts two hosts on a virtual cable"
@@ -72,10 +75,6 @@ has_cargo() {
   printf '%s\n' "$least_cargo" "$(cut -d ' ' -f 2 <<<"$version")" | sort --check --version-sort 2>/dev/null
 }
 has_cargo || test_packages+=("cargo-web:compiles a program on another DDS")
-
-clang_packages=(
-  "clang:compiles it once more, with warnings of its own"
-)
 
 fuzz_packages=(
   "libclang-rt-dev:libFuzzer, and the sanitizers for Clang"
@@ -117,14 +116,12 @@ install_packages() {
 
 # build PRESET [TARGET...]: configures and builds, quietly unless it fails.
 build() {
-  local log preset=$1
+  local log=build/$1.log preset=$1
   shift
-  log=$(mktemp)
+  mkdir -p build
   echo "building ($preset)"
   if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --target "${@:-all}"; } >"$log" 2>&1; then
     cat "$log" >&2
-    rm -f "$log"
     return 1
   fi
-  rm -f "$log"
 }

@@ -1,6 +1,6 @@
 #!/bin/bash
 # A campaign as an array job of Slurm. Each task plays a shard; all write into one folder, which has to be on a file
-# system that the nodes share. Whoever ends last writes the whole report.
+# system that the nodes share. The last to end writes the whole report.
 #
 #   sbatch --array=1-4 slurm.sh shoves.yaml results
 #   sbatch --array=1-4 slurm.sh walk.yaml results -- python3 walk.py lo

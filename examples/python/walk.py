@@ -1,4 +1,4 @@
-"""Walks a Go2 a metre ahead by its motion service: walk.py [INTERFACE]
+"""Walks a Go2 a metre ahead by its motion service: walk.py [INTERFACE [DOMAIN]]
 
 SportClient.Move lasts for a second, so it is repeated; where the robot is, rt/sportmodestate says. Exit code 1: no robot
 was heard, or it did not come that far.
@@ -16,7 +16,7 @@ FAR = 1.0  # m
 
 
 def main():
-    ChannelFactoryInitialize(0, sys.argv[1] if len(sys.argv) > 1 else "lo")
+    ChannelFactoryInitialize(int(sys.argv[2]) if len(sys.argv) > 2 else 0, sys.argv[1] if len(sys.argv) > 1 else "lo")
     states = ChannelSubscriber("rt/sportmodestate", SportModeState_)
     states.Init()
     sport = SportClient()

@@ -4,41 +4,44 @@
 #include <cmath>
 
 #include "authority/command_gate.h"
+#include "robot/motor.h"
 
 namespace understudy::authority {
 namespace {
 
-// tau + kp (q* - q) + kd (dq* - dq) as constant - kp q - kd dq.
-struct Line {
-  double constant = 0, kp = 0, kd = 0;
-};
+// Sums of gains and of gains times what they pull to, of enabled commands and their weights.
+struct Sum {
+  double tau = 0, kp = 0, kp_q = 0, kd = 0, kd_dq = 0;
 
-Line LineOf(const robot::MotorCommand& command) {
-  if (!command.enabled) return {};
-  Line line{.constant = command.tau};
-  if (command.q != robot::kNoPosition) {
-    line.kp = command.kp;
-    line.constant += command.kp * command.q;
+  void Add(const robot::MotorCommand& command, double weight, const std::array<double, 2>& clamp) {
+    if (!command.enabled) return;
+    tau += weight * command.tau;
+    if (command.q != robot::kNoPosition) {
+      kp += weight * command.kp;
+      kp_q += weight * command.kp * robot::FollowedAngle(command.q, clamp);
+    }
+    if (command.dq != robot::kNoVelocity) {
+      kd += weight * command.kd;
+      kd_dq += weight * command.kd * command.dq;
+    }
   }
-  if (command.dq != robot::kNoVelocity) {
-    line.kd = command.kd;
-    line.constant += command.kd * command.dq;
-  }
-  return line;
-}
+};
 
 }  // namespace
 
 robot::MotorCommand Mix(const robot::MotorCommand& under, const robot::MotorCommand& over,
-                        double weight) {
+                        double weight, const std::array<double, 2>& clamp) {
   if (weight <= 0) return under;
   if (weight >= 1) return over;
-  const Line a = LineOf(under), b = LineOf(over);
-  robot::MotorCommand mixed{.enabled = under.enabled || over.enabled};
-  mixed.kp = (1 - weight) * a.kp + weight * b.kp;
-  mixed.kd = (1 - weight) * a.kd + weight * b.kd;
-  mixed.tau = (1 - weight) * a.constant + weight * b.constant;
-  return mixed;
+  Sum sum;
+  sum.Add(under, 1 - weight, clamp);
+  sum.Add(over, weight, clamp);
+  return {.enabled = under.enabled || over.enabled,
+          .q = sum.kp > 0 ? sum.kp_q / sum.kp : robot::kNoPosition,
+          .dq = sum.kd > 0 ? sum.kd_dq / sum.kd : robot::kNoVelocity,
+          .tau = sum.tau,
+          .kp = sum.kp,
+          .kd = sum.kd};
 }
 
 ArmOverlay::ArmOverlay(const robot::RobotSpec& spec)
@@ -47,12 +50,13 @@ ArmOverlay::ArmOverlay(const robot::RobotSpec& spec)
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const auto& slots = spec.arm_sdk.slots;
     if (std::find(slots.begin(), slots.end(), spec.motors[i].slot) != slots.end()) {
-      motors_.push_back(i);
+      motors_.push_back({.index = i, .clamp = spec.motors[i].q_clamp});
     }
   }
 }
 
 robot::Refusal ArmOverlay::Offer(const robot::RobotCommand& command, double t) {
+  if (command.motors.size() != command_.motors.size()) return robot::Refusal::kMotorCount;
   if (!std::isfinite(command.weight)) return robot::Refusal::kNotFinite;
   if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
   command_ = command;
@@ -68,8 +72,8 @@ double ArmOverlay::weight(double t) const {
 void ArmOverlay::MixOver(double t, robot::RobotCommand* command) const {
   const double weight = this->weight(t);
   if (weight <= 0) return;
-  for (const std::size_t i : motors_) {
-    command->motors[i] = Mix(command->motors[i], command_.motors[i], weight);
+  for (const auto& [i, clamp] : motors_) {
+    command->motors[i] = Mix(command->motors[i], command_.motors[i], weight, clamp);
   }
 }
 

@@ -36,6 +36,7 @@ CommandGate::CommandGate(const GateConfig& config, robot::RobotCommand start)
       limp_{.motors = std::vector<robot::MotorCommand>(start_.motors.size())} {}
 
 robot::Refusal CommandGate::Offer(const robot::RobotCommand& command, double t) {
+  if (command.motors.size() != start_.motors.size()) return robot::Refusal::kMotorCount;
   if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
   if (state_ == GateState::kClosed) return robot::Refusal::kMotionService;
   taken_ = command;

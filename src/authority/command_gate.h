@@ -34,7 +34,8 @@ constexpr std::string_view Name(GateState state) {
 
 // Takes commands or refuses them with a reason. There is always a current command: the start
 // command until one is taken, then the last taken one, and damping after the timeout. A refused
-// command changes nothing. Harmful values (kNotFinite, kGain) are refused.
+// command changes nothing. Another number of motors (kMotorCount) and harmful values (kNotFinite,
+// kGain) are refused.
 //
 // While closed it refuses every command; valid ones with kMotionService.
 class CommandGate {
@@ -42,8 +43,7 @@ class CommandGate {
   // `start` is the command before the first taken one; its size is the number of motors.
   CommandGate(const GateConfig& config, robot::RobotCommand start);
 
-  // Takes or refuses a command that arrived at time t [s]. Returns kNone or the reason. `command`
-  // must have as many motors as the start command.
+  // Takes or refuses a command that arrived at time t [s]. Returns kNone or the reason.
   robot::Refusal Offer(const robot::RobotCommand& command, double t);
 
   // Returns the command that the motors follow at time t [s], which must not go back.
@@ -53,10 +53,10 @@ class CommandGate {
   void Restart();
   void Restart(const robot::RobotCommand& start);
 
-  // The motion service takes the motors. Current is meaningless until Rest or Restart.
+  // The motion service takes the motors. Current is meaningless until OpenPassive or Restart.
   void Close() { state_ = GateState::kClosed; }
   // Opens; the motors damp, or with `limp` have no torque, until a command is taken.
-  void Rest(bool limp = false) { state_ = limp ? GateState::kLimp : GateState::kDamping; }
+  void OpenPassive(bool limp = false) { state_ = limp ? GateState::kLimp : GateState::kDamping; }
 
   // Has commands stop after `timeout` [s] from now on.
   void SetTimeout(double timeout) { config_.timeout = timeout; }

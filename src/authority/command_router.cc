@@ -26,13 +26,13 @@ std::vector<Chord> ChordsOf(const robot::RobotSpec& spec) {
 
 CommandRouter::CommandRouter(const robot::RobotSpec& spec, const GateConfig& gate,
                              const MotionConfig& config, const robot::RobotCommand& start,
-                             std::unique_ptr<Motion> motion)
+                             const MotionMaker& make)
     : fight_(config.fight),
       stick_speed_(spec.remote.speed),
       gate_(gate, start),
       user_gate_(gate, start),
       owner_(OnboardServices(spec, StartService(spec, config)),
-             spec.kind == robot::RobotKind::kWheeled ? "1" : "0", std::move(motion)),
+             spec.kind == robot::RobotKind::kWheeled ? "1" : "0", make),
       arms_(spec),
       hands_(spec.hands.begin(), spec.hands.end()),
       intakes_(robot::kMostCommandTopics, Intake(gate.lenient)),
@@ -51,17 +51,17 @@ void CommandRouter::Restart(const robot::RobotCommand& start) {
   fought_ = fresh_lowcmd_ = false;
   was_on_ = service_on();
   if (was_on_ && !fight_) gate_.Close();
-  Follow(start, 0);
+  Assemble(start, 0);
 }
 
 void CommandRouter::GoLimp() {
   owner_.Release();
   FollowOwner();
-  gate_.Rest(/*limp=*/true);
+  gate_.OpenPassive(/*limp=*/true);
   for (HandGate& hand : hands_) hand.Restart();
 }
 
-void CommandRouter::Follow(const GateConfig& gate, const MotionConfig& config) {
+void CommandRouter::Apply(const GateConfig& gate, const MotionConfig& config) {
   gate_.SetTimeout(gate.timeout);
   user_gate_.SetTimeout(gate.timeout);
   for (Intake& intake : intakes_) intake.SetLenient(gate.lenient);
@@ -69,31 +69,29 @@ void CommandRouter::Follow(const GateConfig& gate, const MotionConfig& config) {
   fight_ = config.fight;
   if (!service_on()) return;
   fought_ = fresh_lowcmd_ = false;
-  fight_ ? gate_.Rest() : gate_.Close();
+  fight_ ? gate_.OpenPassive() : gate_.Close();
 }
 
 robot::Refusal CommandRouter::Offer(std::size_t topic, const robot::RobotCommand& command,
                                     robot::Refusal form, double t) {
   FollowOwner();
-  return intakes_[topic].Judge(form, [&] { return Put(topic, command, t); });
-}
-
-// Passes a command on to the gate or overlay of its topic; its form has been judged.
-robot::Refusal CommandRouter::Put(std::size_t topic, const robot::RobotCommand& command, double t) {
-  switch (topic) {
-    case robot::kLowCmdTopic: {
-      const robot::Refusal refusal = gate_.Offer(command, t);
-      if (refusal == robot::Refusal::kNone) fresh_lowcmd_ = true;
-      return refusal;
+  const auto offer = [&] {
+    switch (topic) {
+      case robot::kLowCmdTopic: {
+        const robot::Refusal refusal = gate_.Offer(command, t);
+        if (refusal == robot::Refusal::kNone) fresh_lowcmd_ = true;
+        return refusal;
+      }
+      case robot::kArmSdkTopic:
+        return service_on() ? arms_.Offer(command, t) : robot::Refusal::kNoMotionService;
+      case robot::kUserLowCmdTopic:
+        if (owner_.user_control()) return user_gate_.Offer(command, t);
+        return service_on() ? robot::Refusal::kNotHandedOver : robot::Refusal::kNoMotionService;
+      default:
+        return hands_[topic - robot::kFirstHandTopic].Offer(command, t);
     }
-    case robot::kArmSdkTopic:
-      return service_on() ? arms_.Offer(command, t) : robot::Refusal::kNoMotionService;
-    case robot::kUserLowCmdTopic:
-      if (owner_.user_control()) return user_gate_.Offer(command, t);
-      return service_on() ? robot::Refusal::kNotHandedOver : robot::Refusal::kNoMotionService;
-    default:
-      return hands_[topic - robot::kFirstHandTopic].Offer(command, t);
-  }
+  };
+  return intakes_[topic].Judge(form, offer);
 }
 
 GateCounts CommandRouter::counts(std::size_t topic) const {
@@ -140,9 +138,9 @@ void CommandRouter::ObeyKeys(const robot::RemoteReading& remote, double t) {
         .keys = remote.keys,
         .wish = fsm == nullptr ? -1 : fsm->id};
   } else if (chords_.knows_debug() && std::holds_alternative<goal::ZeroTorque>(*chord->goal)) {
-    gate_.Rest(/*limp=*/true);
+    gate_.OpenPassive(/*limp=*/true);
   } else if (chords_.knows_debug() && std::holds_alternative<goal::Damp>(*chord->goal)) {
-    gate_.Rest();
+    gate_.OpenPassive();
   } else if (!listens) {
     unheeded_ = {.reason = Reason::kNoMotionService, .keys = remote.keys};
   }
@@ -150,7 +148,7 @@ void CommandRouter::ObeyKeys(const robot::RemoteReading& remote, double t) {
 
 void CommandRouter::ObeySticks(const robot::RemoteReading& remote) {
   stick_wish_ = {};
-  if (owner_.sticks()) {
+  if (owner_.onboard().sticks) {
     const auto felt = [](double stick) { return std::abs(stick) < kStickRest ? 0 : stick; };
     stick_wish_ = {stick_speed_[0] * felt(remote.ly), -stick_speed_[1] * felt(remote.lx),
                    -stick_speed_[2] * felt(remote.rx)};
@@ -171,12 +169,11 @@ void CommandRouter::ObeySticks(const robot::RemoteReading& remote) {
 
 const robot::RobotCommand& CommandRouter::Current(const MotionInput& input, bool service_due,
                                                   double dt) {
-  Follow(OfBody(input, service_due, dt), input.time);
+  Assemble(OfBody(input, service_due, dt), input.time);
   return followed_;
 }
 
-void CommandRouter::Follow(const robot::RobotCommand& body, double t) {
-  followed_.joint_space = body.joint_space;
+void CommandRouter::Assemble(const robot::RobotCommand& body, double t) {
   auto next = std::ranges::copy(body.motors, followed_.motors.begin()).out;
   for (HandGate& hand : hands_) next = std::ranges::copy(hand.Current(t).motors, next).out;
 }
@@ -212,7 +209,7 @@ void CommandRouter::FollowOwner() {
   if (was_on_ && !fight_) {
     gate_.Close();
   } else {
-    gate_.Rest();
+    gate_.OpenPassive();
   }
 }
 

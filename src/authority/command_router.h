@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,9 +25,9 @@ namespace understudy::authority {
 class CommandRouter {
  public:
   // `spec` and `config` are validated. `start` is the command while no service is on and none has
-  // been taken.
+  // been taken. `make` as for MotorOwner.
   CommandRouter(const robot::RobotSpec& spec, const GateConfig& gate, const MotionConfig& config,
-                const robot::RobotCommand& start, std::unique_ptr<Motion> motion);
+                const robot::RobotCommand& start, const MotionMaker& make);
 
   // Call it after the robot was put back in a start pose, with the command that holds it there. The
   // motion service or the gate restarts.
@@ -39,7 +38,7 @@ class CommandRouter {
   void GoLimp();
 
   // Goes by these from now on; the damping stays as it was made.
-  void Follow(const GateConfig& gate, const MotionConfig& config);
+  void Apply(const GateConfig& gate, const MotionConfig& config);
 
   // Takes or refuses a command of a topic of the robot at time t [s]; `form` and result as for
   // Intake::Judge.
@@ -76,10 +75,9 @@ class CommandRouter {
   double arm_weight(double t) const { return arms_.weight(t); }
 
  private:
-  robot::Refusal Put(std::size_t topic, const robot::RobotCommand& command, double t);
   const robot::RobotCommand& OfBody(const MotionInput& input, bool service_due, double dt);
   // Assembles followed_ of a command to the body and those of the hands at time t [s].
-  void Follow(const robot::RobotCommand& body, double t);
+  void Assemble(const robot::RobotCommand& body, double t);
   void FollowOwner();  // opens or closes the gate after a change of owner
   void ObeyKeys(const robot::RemoteReading& remote, double t);
   void ObeySticks(const robot::RemoteReading& remote);

@@ -123,7 +123,7 @@ struct LastingMoves {
 };
 struct GoTo {
   double x = 0, y = 0;     // m, by the service's own estimate
-  double yaw = 0;          // rad, likewise
+  double yaw = 0;          // rad, by the same estimate
   bool from_here = false;  // counts from where the robot is, else from where its estimate began
   static GoTo From(const Numbers& x) { return {x[0], x[1], x[2], x[3] != 0}; }
   bool operator==(const GoTo&) const = default;
@@ -131,7 +131,7 @@ struct GoTo {
 struct PathPoint {
   double t = 0;         // s from the start of the path, ascending
   double x = 0, y = 0;  // m, by the service's own estimate
-  double yaw = 0;       // rad, likewise
+  double yaw = 0;       // rad, by the same estimate
 };
 struct FollowPath {
   std::shared_ptr<const std::vector<PathPoint>> points;
@@ -197,7 +197,7 @@ MotionGoal To(const goal::Numbers& numbers) {
   }
 }
 
-// Makes that goal whatever the numbers are.
+// Makes that goal of any numbers.
 template <goal::GestureName name>
 MotionGoal To(const goal::Numbers&) {
   return goal::Gesture{name};

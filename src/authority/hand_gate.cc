@@ -1,28 +1,58 @@
 #include "authority/hand_gate.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace understudy::authority {
 
 HandGate::HandGate(const robot::HandSpec& spec)
-    : timeout_(spec.timeout),
-      current_{.motors = std::vector<robot::MotorCommand>(spec.motors.size())} {}
+    : law_(&robot::LawOf(spec)),
+      timeout_(spec.timeout),
+      current_{.motors = std::vector<robot::MotorCommand>(spec.motors.size())} {
+  if (law_->follows == robot::HandLaw::Follows::kMotors) return;
+  for (const robot::MotorSpec& motor : spec.motors) {
+    leads_.push_back({.start = {.enabled = law_->starts, .kp = motor.hold_kp, .kd = motor.hold_kd},
+                      .full_speed = motor.knee_speed});
+    if (law_->starts) leads_.back().start.q = motor.span[0];
+  }
+  Restart();
+}
 
 robot::Refusal HandGate::Offer(const robot::RobotCommand& command, double t) {
   if (command.motors.size() != current_.motors.size()) return robot::Refusal::kMotorCount;
   if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
+  FollowGoals(t);
   taken_at_ = t;
-  for (std::size_t i = 0; i < current_.motors.size(); ++i) {
-    robot::MotorCommand& motor = current_.motors[i];
-    const bool timed_out = motor.timed_out && command.motors[i].watched;
-    motor = command.motors[i];
-    motor.timed_out = timed_out;
-    if (timed_out) motor.enabled = false;
+  for (std::size_t i = 0; i < leads_.size(); ++i) {
+    Lead& lead = leads_[i];
+    const robot::MotorCommand& motor = command.motors[i];
+    const bool paced = law_->follows == robot::HandLaw::Follows::kGoalsAtSpeed;
+    lead.from = current_.motors[i].q;
+    lead.goal = motor.q;
+    lead.speed = paced ? std::clamp(motor.dq, 0.0, lead.full_speed) : lead.full_speed;
+    current_.motors[i].enabled = true;
+  }
+  for (std::size_t i = 0; leads_.empty() && i < current_.motors.size(); ++i) {
+    current_.motors[i] = command.motors[i];
+    current_.motors[i].timed_out = false;
   }
   return robot::Refusal::kNone;
 }
 
+void HandGate::FollowGoals(double t) {
+  for (std::size_t i = 0; i < leads_.size(); ++i) {
+    const Lead& lead = leads_[i];
+    const double way = lead.speed * (t - taken_at_);
+    const double left = lead.goal - lead.from;
+    robot::MotorCommand& motor = current_.motors[i];
+    motor.q = lead.from + std::clamp(left, -way, way);
+    motor.dq = std::abs(left) > way ? std::copysign(lead.speed, left) : 0;
+  }
+}
+
 const robot::RobotCommand& HandGate::Current(double t) {
+  FollowGoals(t);
   if (t - taken_at_ <= timeout_) return current_;
   bool stopped = false;
   for (robot::MotorCommand& motor : current_.motors) {
@@ -34,6 +64,14 @@ const robot::RobotCommand& HandGate::Current(double t) {
   return current_;
 }
 
-void HandGate::Restart() { std::ranges::fill(current_.motors, robot::MotorCommand{}); }
+void HandGate::Restart() {
+  std::ranges::fill(current_.motors, robot::MotorCommand{});
+  for (std::size_t i = 0; i < leads_.size(); ++i) {
+    Lead& lead = leads_[i];
+    current_.motors[i] = lead.start;
+    lead.from = lead.goal = lead.start.q;
+    lead.speed = 0;
+  }
+}
 
 }  // namespace understudy::authority

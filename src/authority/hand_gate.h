@@ -2,17 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "authority/command_gate.h"
+#include "robot/hand_law.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::authority {
 
 // Takes commands to a hand or refuses them with a reason. Motors are locked (not enabled) before
 // the first command. Then each follows its last taken command without limit, unless that command
-// has it watched: then it locks after spec.timeout without a taken command, until a command without
-// the watch bit ("must be cleared with 0": [docs] G1 dexterous hand). That a timed-out motor locks
-// rather than goes limp is *assumed*.
+// has it watched: then it locks after spec.timeout without a taken command, until the next one.
+// That a timed-out motor locks rather than goes limp is *assumed*; that a command with the watch
+// bit resumes it, too: programs that set the bit in every command calibrate one hand while the
+// other waits for longer (NVIDIA's GR00T-WholeBodyControl does), and both work on robots.
+//
+// Of a hand that follows goals (robot/hand_law.h) q of a command is a goal, and tau, kp and kd are
+// ignored: q of each motor goes there evenly, from 0 after a restart, and stays there however long
+// no command comes.
 //
 // Motion services do not move hands, so commands are taken at any time.
 class HandGate {
@@ -35,7 +42,18 @@ class HandGate {
   std::uint64_t timeouts() const { return timeouts_; }
 
  private:
+  struct Lead {                 // of a motor that follows goals
+    robot::MotorCommand start;  // before the first command
+    double full_speed = 0;      // rad/s
+    double from = 0, goal = 0;  // rad, at taken_at_ and in the end
+    double speed = 0;           // rad/s
+  };
+  // Sets `current_` to where the goals have led the motors at time t [s].
+  void FollowGoals(double t);
+
+  const robot::HandLaw* law_;
   double timeout_;
+  std::vector<Lead> leads_;  // empty if it does not follow goals
   robot::RobotCommand current_;
   std::uint64_t timeouts_ = 0;
   double taken_at_ = 0;

@@ -37,7 +37,9 @@ class Motion {
   // the first Step and whenever the service takes over the motors.
   virtual void Start(const MotionInput& input) = 0;
 
-  // Takes or refuses a goal; it takes effect in the next Step.
+  // Takes or refuses a goal; it takes effect in the next Step. Damp is taken in every state. The
+  // protection (motion/protection.h) also asks for StandDown, StopMove, and Fall where the robot
+  // has fallen over; of a service that is unable to Fall it asks Damp.
   virtual MotionVerdict Ask(const MotionGoal& goal) = 0;
 
   // Called every dt seconds: computes the command to the motors until the next call. `command` has

@@ -6,15 +6,19 @@
 namespace understudy::authority {
 
 MotorOwner::MotorOwner(std::vector<OnboardService> services, std::string form,
-                       std::unique_ptr<Motion> motion)
-    : services_(std::move(services)), form_(std::move(form)), motion_(std::move(motion)) {
+                       const MotionMaker& make)
+    : services_(std::move(services)), form_(std::move(form)), motions_(services_.size()) {
+  for (std::size_t i = 0; i < services_.size(); ++i) {
+    const OnboardService& service = services_[i];
+    if (service.alias.empty()) continue;
+    if (make) motions_[i] = make(service.alias);
+    if (service.on) active_ = i;
+  }
   NoteState();
 }
 
 std::string_view MotorOwner::active() const {
-  const auto found = std::find_if(services_.begin(), services_.end(),
-                                  [](const auto& s) { return s.on && !s.alias.empty(); });
-  return found == services_.end() ? std::string_view() : found->alias;
+  return active_ == kNone ? std::string_view() : services_[active_].alias;
 }
 
 OwnerVerdict MotorOwner::Select(std::string_view alias) {
@@ -22,21 +26,21 @@ OwnerVerdict MotorOwner::Select(std::string_view alias) {
     return !alias.empty() && s.alias == alias;
   });
   if (wanted == services_.end()) return OwnerVerdict::kUnknownName;
-  if (!motion_) return OwnerVerdict::kNoController;
+  const auto index = static_cast<std::size_t>(wanted - services_.begin());
+  if (!motions_[index]) return OwnerVerdict::kNoController;
   if (wanted->on) return OwnerVerdict::kDone;
   Release();
   wanted->on = true;
+  active_ = index;
   fresh_ = true;
   NoteState();
   return OwnerVerdict::kDone;
 }
 
 void MotorOwner::Release() {
-  user_control_ = false;
-  sticks_ = true;
-  for (OnboardService& service : services_) {
-    if (!service.alias.empty()) service.on = false;
-  }
+  onboard_.EndMotionService();
+  if (active_ != kNone) services_[active_].on = false;
+  active_ = kNone;
   NoteState();
 }
 
@@ -45,33 +49,36 @@ OwnerVerdict MotorOwner::Switch(std::string_view service, bool on) {
                                   [&](const auto& s) { return s.name == service; });
   if (found == services_.end()) return OwnerVerdict::kUnknownName;
   if (found->is_protected) return OwnerVerdict::kProtected;
-  if (on && !found->alias.empty()) return Select(found->alias);
-  found->on = on;
-  NoteState();
+  if (found->alias.empty()) {
+    found->on = on;
+  } else if (on) {
+    return Select(found->alias);
+  } else if (found->on) {
+    Release();
+  }
   return OwnerVerdict::kDone;
 }
 
 void MotorOwner::Restart() {
-  user_control_ = false;
-  sticks_ = true;
+  onboard_.EndMotionService();
   fresh_ = true;
 }
 
 MotionVerdict MotorOwner::Ask(const MotionGoal& goal) {
-  const MotionVerdict verdict = active().empty() ? MotionVerdict::kNotNow : motion_->Ask(goal);
+  const MotionVerdict verdict = motion() == nullptr ? MotionVerdict::kNotNow : motion()->Ask(goal);
   worst_ = std::max(worst_, verdict);
   NoteState();
   return verdict;
 }
 
 void MotorOwner::NoteState() {
-  state_ = active().empty() ? robot::MotionState{} : motion_->state();
+  state_ = motion() == nullptr ? robot::MotionState{} : motion()->state();
 }
 
 bool MotorOwner::Step(const MotionInput& input, double dt, robot::RobotCommand* command) {
-  if (active().empty()) return false;
-  if (std::exchange(fresh_, false)) motion_->Start(input);
-  motion_->Step(input, dt, command);
+  if (motion() == nullptr) return false;
+  if (std::exchange(fresh_, false)) motion()->Start(input);
+  motion()->Step(input, dt, command);
   NoteState();
   return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "authority/motion.h"
+#include "authority/onboard_state.h"
 
 namespace understudy::authority {
 
@@ -23,12 +25,9 @@ struct OnboardService {
   std::string version{};      // "" if it is not told
 };
 
-// What robot_state was asked to tell of the programs by itself.
-struct ProgramReport {
-  int interval = 0;         // s; 0: nothing
-  int duration = 0;         // s; 0: for good
-  std::uint64_t asked = 0;  // how often it was asked for
-};
+// The program of a Go2's lidar, which rt/utlidar/switch switches.
+inline constexpr std::string_view kLidarProgram = "unitree_lidar";
+inline constexpr std::string_view kLivoxProgram = "lidar_driver";  // of a G1's
 
 // The result of a request to change the owner; motion_switcher and robot_state have codes for it.
 enum class OwnerVerdict : std::uint8_t {
@@ -38,15 +37,17 @@ enum class OwnerVerdict : std::uint8_t {
   kNoController,  // not simulated, though the robot has the service
 };
 
+// Makes the controller of the motion service with that alias; null if none is simulated.
+using MotionMaker = std::function<std::unique_ptr<Motion>(std::string_view alias)>;
+
 // At most one motion service is on at a time; it moves the motors and rt/lowcmd is not followed
-// (docs/sources.md#who-moves-the-motors). For the tick's thread.
+// (docs/dev/sources.md#who-moves-the-motors). For the tick's thread.
 class MotorOwner {
  public:
-  // `services` are the programs of the robot, of which at most one with an alias is on. `motion` is
-  // the controller of all motion services; null if none is simulated, and then none may be on.
-  // `form` is that of motion_switcher: "0" legged, "1" wheel-legged.
-  MotorOwner(std::vector<OnboardService> services, std::string form,
-             std::unique_ptr<Motion> motion);
+  // `services` are the programs of the robot, of which at most one with an alias is on. Calls
+  // `make` once for each alias; null makes no controllers. A service without a controller must be
+  // off. `form` is that of motion_switcher: "0" legged, "1" wheel-legged.
+  MotorOwner(std::vector<OnboardService> services, std::string form, const MotionMaker& make);
 
   // Returns the alias of the motion service that is on; "" if rt/lowcmd moves the motors.
   std::string_view active() const;
@@ -57,25 +58,10 @@ class MotorOwner {
   void Release();                               // switches the motion service off
   OwnerVerdict Switch(std::string_view service, bool on);
 
-  // Sets motion_switcher's setting not to start a motion service at boot.
-  void SetSilent(bool on) { silent_ = on; }
-  bool silent() const { return silent_; }
-
-  // Lets rt/user_lowcmd move the motors while the service is on (G1, loco api 7110 and 7111). Ends
-  // with the service.
-  void SetUserControl(bool on) { user_control_ = on; }
-  bool user_control() const { return user_control_ && !active().empty(); }
-
-  // Sets whether the sticks of the remote controller move the robot (SwitchJoystick). A restart of
-  // the service sets it again (*assumed*).
-  void SetSticks(bool on) { sticks_ = on; }
-  bool sticks() const { return sticks_; }
-
-  // Asks for reports of the programs, in place of any asked for before.
-  void AskReport(int interval, int duration) {
-    report_ = {.interval = interval, .duration = duration, .asked = report_.asked + 1};
-  }
-  const ProgramReport& report() const { return report_; }
+  OnboardState& onboard() { return onboard_; }
+  const OnboardState& onboard() const { return onboard_; }
+  // Whether the service that is on lets rt/user_lowcmd move the motors.
+  bool user_control() const { return onboard_.user_control && !active().empty(); }
 
   // Restarts the service that is on, after the robot was put back in a start pose.
   void Restart();
@@ -93,15 +79,16 @@ class MotorOwner {
   bool Step(const MotionInput& input, double dt, robot::RobotCommand* command);
 
  private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  Motion* motion() const { return active_ == kNone ? nullptr : motions_[active_].get(); }
   void NoteState();
 
   std::vector<OnboardService> services_;
   std::string form_;
-  std::unique_ptr<Motion> motion_;
-  ProgramReport report_;
-  bool silent_ = false;
-  bool user_control_ = false;
-  bool sticks_ = true;
+  std::vector<std::unique_ptr<Motion>> motions_;  // by service; null: it has no controller
+  std::size_t active_ = kNone;                    // index of the motion service that is on
+  OnboardState onboard_;
   bool fresh_ = true;  // the service has not started yet
   MotionVerdict worst_ = MotionVerdict::kTaken;
   robot::MotionState state_;  // as of the last call that may change it

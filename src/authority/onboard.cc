@@ -1,5 +1,7 @@
 #include "authority/onboard.h"
 
+#include <algorithm>
+
 #include "robot/firmware.h"
 
 namespace understudy::authority {
@@ -12,6 +14,12 @@ std::vector<std::string> MotionServices(const robot::RobotSpec& spec) {
     }
   }
   return aliases;
+}
+
+const robot::ServiceSpec& MotionService(const robot::RobotSpec& spec, std::string_view alias) {
+  return *std::ranges::find_if(spec.services, [&](const robot::ServiceSpec& service) {
+    return service.alias == alias && robot::HasService(spec.firmware, service);
+  });
 }
 
 std::string StartService(const robot::RobotSpec& spec, const MotionConfig& config) {

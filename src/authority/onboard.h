@@ -15,6 +15,9 @@ namespace understudy::authority {
 // description.
 std::vector<std::string> MotionServices(const robot::RobotSpec& spec);
 
+// Returns the motion service of the robot's firmware with that alias, which must be one of them.
+const robot::ServiceSpec& MotionService(const robot::RobotSpec& spec, std::string_view alias);
+
 // Returns the one that is on at the start; "" for none. `config.service` must be one of them,
 // kNoService or "".
 std::string StartService(const robot::RobotSpec& spec, const MotionConfig& config);

@@ -1,4 +1,4 @@
-// The exit codes of `understudy`, documented in docs/exit_codes.md and in --help.
+// The exit codes of `understudy`, documented in docs/reference/exit_codes.md and in --help.
 #pragma once
 
 namespace understudy {

@@ -1,4 +1,4 @@
-// What arrives later than it was sent, in the order in which it was sent.
+// A FIFO of values that become due later.
 #pragma once
 
 #include <algorithm>

@@ -24,4 +24,24 @@ std::string Printed(const char* format, ...) {
   return text;
 }
 
+std::string Printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+  return text;
+}
+
+std::string Escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&') escaped += "&amp;";
+    if (c == '<') escaped += "&lt;";
+    if (c == '>') escaped += "&gt;";
+    if (c == '"') escaped += "&quot;";
+    const bool written = c == '&' || c == '<' || c == '>' || c == '"';
+    const bool control = static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t';
+    if (!written) escaped += control ? '?' : c;
+  }
+  return escaped;
+}
+
 }  // namespace understudy

@@ -1,4 +1,4 @@
-// The one way to a temporary folder.
+// Makes temporary folders and removes them.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,7 @@ CdrReader::CdrReader(const Participant& participant, const std::string& topic,
                      const dds_topic_descriptor& descriptor)
     : topic_(dds_create_topic(participant.handle(), &descriptor, topic.c_str(), nullptr, nullptr),
              "create topic " + topic),
-      reader_(dds_create_reader(participant.handle(), topic_.handle(),
+      reader_(dds_create_reader(participant.subscriber(), topic_.handle(),
                                 ReaderQos({.depth = kKeepAll}).get(), nullptr),
               "read topic " + topic) {}
 
@@ -41,8 +41,9 @@ CdrWriter::CdrWriter(const Participant& participant, const std::string& topic,
     : descriptor_(descriptor),
       topic_(dds_create_topic(participant.handle(), &descriptor, topic.c_str(), nullptr, nullptr),
              "create topic " + topic),
-      writer_(dds_create_writer(participant.handle(), topic_.handle(), WriterQos().get(), nullptr),
-              "write topic " + topic) {}
+      writer_(
+          dds_create_writer(participant.publisher(), topic_.handle(), WriterQos().get(), nullptr),
+          "write topic " + topic) {}
 
 int CdrWriter::matched_readers() const {
   return std::max(0, dds_get_matched_subscriptions(writer_.handle(), nullptr, 0));

@@ -1,9 +1,12 @@
 #include "bus/cyclone_log.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <map>
+#include <charconv>
+#include <cstdint>
 #include <mutex>
+#include <system_error>
 #include <utility>
 
 #include <dds/dds.h>
@@ -12,7 +15,8 @@ namespace understudy::bus {
 namespace {
 
 constexpr std::size_t kMostKinds = 16;
-// Cyclone 0.10.2 logs "...: deserialization TOPIC/TYPE failed (why)".
+// Cyclone 0.10.2 logs "data(application, vendor 1.16): 110e77a:c13dcf8d:8542de61:103 #2:
+// deserialization TOPIC/TYPE failed (why)", with the GUID of the writer in four words.
 constexpr std::string_view kUndecoded = "deserialization ";
 
 // Removes the digits, also hexadecimal ones: the rest is the same for lines of one kind.
@@ -22,6 +26,26 @@ std::string KindOf(std::string_view line) {
     if (std::isxdigit(static_cast<unsigned char>(letter)) == 0) kind += letter;
   }
   return kind;
+}
+
+// Returns the GUID before "#" in the beginning of such a line; zeros if there is none.
+UndecodedSamples::Writer WriterIn(std::string_view line) {
+  UndecodedSamples::Writer writer{};
+  const std::size_t end = line.rfind(" #");
+  const std::size_t begin = line.rfind(' ', end == 0 ? end : end - 1);
+  if (end == std::string_view::npos || begin == std::string_view::npos) return writer;
+  std::array<std::uint32_t, 4> words{};  // "110a1c3:77e8a4e0:3:2"
+  const char* at = line.data() + begin + 1;
+  const char* const last = line.data() + end;
+  for (std::uint32_t& word : words) {
+    const auto [next, error] = std::from_chars(at, last, word, 16);
+    if (error != std::errc()) return writer;
+    at = std::min(next + 1, last);
+  }
+  for (std::size_t i = 0; i < writer.size(); ++i) {
+    writer[i] = static_cast<std::uint8_t>(words[i / 4] >> (24 - 8 * (i % 4)));
+  }
+  return writer;
 }
 
 class CycloneLog {
@@ -36,9 +60,13 @@ class CycloneLog {
     return notices;
   }
 
-  const std::atomic<std::uint64_t>& Undecoded(std::string_view topic) {
+  const UndecodedSamples& Undecoded(std::string_view topic) {
     const std::lock_guard lock(mutex_);
     return undecoded_[std::string(topic)];
+  }
+  std::map<UndecodedSamples::Writer, std::uint64_t> ByWriter(std::string_view topic) {
+    const std::lock_guard lock(mutex_);
+    return undecoded_[std::string(topic)].of;
   }
 
  private:
@@ -71,16 +99,19 @@ class CycloneLog {
   void CountUndecoded(std::string_view line) {
     const std::size_t at = line.find(kUndecoded);
     if (at == std::string_view::npos) return;
+    const UndecodedSamples::Writer writer = WriterIn(line.substr(0, at));
     line.remove_prefix(at + kUndecoded.size());
     // A topic's name may have slashes, a type's name has none.
     const std::string_view topic = line.substr(0, line.substr(0, line.find(" failed")).rfind('/'));
     const auto counted = undecoded_.find(topic);
-    if (counted != undecoded_.end()) ++counted->second;
+    if (counted == undecoded_.end()) return;
+    ++counted->second.of[writer];
+    ++counted->second.all;
   }
 
   std::mutex mutex_;
   std::vector<Kind> kinds_;  // by their last line
-  std::map<std::string, std::atomic<std::uint64_t>, std::less<>> undecoded_;
+  std::map<std::string, UndecodedSamples, std::less<>> undecoded_;
 };
 
 // Never destroyed, as Cyclone's threads may log until the process ends.
@@ -93,8 +124,10 @@ CycloneLog& Log() {
 
 std::vector<CycloneNotice> TakeCycloneNotices() { return Log().Take(); }
 
-const std::atomic<std::uint64_t>& UndecodedSamples(std::string_view topic) {
-  return Log().Undecoded(topic);
+const UndecodedSamples& UndecodedOf(std::string_view topic) { return Log().Undecoded(topic); }
+
+std::map<UndecodedSamples::Writer, std::uint64_t> UndecodedByWriter(std::string_view topic) {
+  return Log().ByWriter(topic);
 }
 
 }  // namespace understudy::bus

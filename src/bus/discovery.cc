@@ -13,6 +13,7 @@
 #include <dds/ddsi/ddsi_typelib.h>
 #include <dds/ddsrt/heap.h>
 
+#include "base/printed.h"
 #include "bus/foreign_types.h"
 
 namespace understudy::bus {
@@ -32,18 +33,15 @@ Entity Watch(const Participant& participant, dds_entity_t topic, const std::stri
   return {dds_create_reader(participant.handle(), topic, nullptr, nullptr), "watch the " + what};
 }
 
-std::string Printable(const char* text) {
-  std::string printable(text, std::min(std::strlen(text), kLongestText));
-  for (char& letter : printable) {
-    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';
-  }
-  return printable;
+// What a stranger has announced, as a short text.
+std::string Shown(const char* text) {
+  return Printable({text, std::min(std::strlen(text), kLongestText)});
 }
 
 std::string Property(const dds_qos_t* qos, const char* name) {
   char* value = nullptr;
   if (!dds_qget_prop(qos, name, &value)) return "";
-  std::string text = Printable(value);
+  std::string text = Shown(value);
   dds_free(value);
   return text;
 }
@@ -89,6 +87,10 @@ void ForEachChange(dds_entity_t reader, Visit&& visit) {
   } while (std::cmp_equal(taken, kPeersAtOnce));
 }
 
+std::string Quoted(const std::string& partition) {
+  return partition.empty() ? "" : "\"" + partition + "\"";
+}
+
 // The partitions of a writer, quoted; "" if it is in the one that everybody is in by default.
 std::string Partitions(const dds_qos_t* qos) {
   std::uint32_t count = 0;
@@ -96,7 +98,7 @@ std::string Partitions(const dds_qos_t* qos) {
   if (!dds_qget_partition(qos, &count, &names)) return "";
   std::string text;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const std::string name = Printable(names[i]);
+    const std::string name = Shown(names[i]);
     if (!name.empty()) text += (text.empty() ? "\"" : ", \"") + name + "\"";
     dds_free(names[i]);
   }
@@ -104,14 +106,15 @@ std::string Partitions(const dds_qos_t* qos) {
   return text;
 }
 
-// Why our readers, which have the default partition and `type`, do not match that writer, as far as
-// it tells; else "".
-std::string WhyNot(const dds_builtintopic_endpoint_t& writer, const std::string& type) {
+// Why our readers, which have `type` and `ours` as Partitions has it, do not match that writer, as
+// far as it tells; else "".
+std::string WhyNot(const dds_builtintopic_endpoint_t& writer, const std::string& type,
+                   const std::string& ours) {
   if (type != writer.type_name) {
-    return "type " + Printable(writer.type_name);
+    return "type " + Shown(writer.type_name);
   }
   const std::string partitions = Partitions(writer.qos);
-  return partitions.empty() ? "" : "partition " + partitions;
+  return partitions == ours ? "" : "partition " + partitions;
 }
 
 }  // namespace
@@ -126,6 +129,7 @@ std::string Describe(const Neighbour& neighbour) {
 
 NeighbourWatch::NeighbourWatch(const Participant& participant, std::string topic)
     : ours_(participant.key()),
+      partitions_(Quoted(participant.partition())),
       topic_(std::move(topic)),
       publications_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, "writers of " + topic_)),
       participants_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, "participants")) {}
@@ -142,8 +146,10 @@ const std::vector<Neighbour>& NeighbourWatch::Poll() {
 
 void NeighbourWatch::Note(const void* publication) {
   const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(publication);
-  if (topic_ != endpoint.topic_name || std::ranges::equal(ours_, endpoint.participant_key.v))
+  if (topic_ != endpoint.topic_name || std::ranges::equal(ours_, endpoint.participant_key.v) ||
+      Partitions(endpoint.qos) != partitions_) {
     return;
+  }
   const auto known = [&](const Neighbour& one) {
     return std::ranges::equal(one.writer, endpoint.key.v);
   };
@@ -151,7 +157,7 @@ void NeighbourWatch::Note(const void* publication) {
   Neighbour& neighbour = neighbours_.emplace_back();
   neighbour.writer = std::to_array(endpoint.key.v);
   neighbour.participant = std::to_array(endpoint.participant_key.v);
-  neighbour.type = Printable(endpoint.type_name);
+  neighbour.type = Shown(endpoint.type_name);
   Introduce(participants_.handle(), &neighbour);
 }
 
@@ -189,6 +195,7 @@ std::string Describe(const Mismatch& mismatch) {
 
 MismatchWatch::MismatchWatch(const Participant& participant, std::vector<const ReaderCore*> readers)
     : ours_(participant.key()),
+      partitions_(Quoted(participant.partition())),
       readers_(std::move(readers)),
       publications_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, "writers")),
       participants_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, "participants")) {}
@@ -205,6 +212,10 @@ std::vector<Mismatch> MismatchWatch::Poll(std::chrono::nanoseconds now) {
   std::erase_if(suspects_, [&](Suspect& suspect) {
     if (now < suspect.since + kPatience) return false;
     if (suspect.reader->IsMatched(suspect.found.writer.writer) || told_ >= kMostTold) return true;
+    if (!suspect.reader->is_open()) {
+      suspect.since = now;
+      return false;
+    }
     ++told_;
     std::string& why = suspect.found.why;
     if (why.empty()) why = suspect.reader->refused_policy();
@@ -220,6 +231,7 @@ void MismatchWatch::Suspicious(const void* publication, std::chrono::nanoseconds
   const auto reader = std::ranges::find_if(
       readers_, [&](const ReaderCore* one) { return one->topic() == endpoint.topic_name; });
   if (reader == readers_.end() || std::ranges::equal(ours_, endpoint.participant_key.v)) return;
+  if (!partitions_.empty() && Partitions(endpoint.qos) != partitions_) return;
   const bool known = std::ranges::any_of(suspects_, [&](const Suspect& one) {
     return std::ranges::equal(one.found.writer.writer, endpoint.key.v);
   });
@@ -229,9 +241,9 @@ void MismatchWatch::Suspicious(const void* publication, std::chrono::nanoseconds
   Neighbour& writer = suspect.found.writer;
   writer.writer = std::to_array(endpoint.key.v);
   writer.participant = std::to_array(endpoint.participant_key.v);
-  writer.type = Printable(endpoint.type_name);
+  writer.type = Shown(endpoint.type_name);
   Introduce(participants_.handle(), &writer);
-  suspect.found.why = WhyNot(endpoint, (*reader)->type());
+  suspect.found.why = WhyNot(endpoint, (*reader)->type(), partitions_);
 }
 
 namespace {
@@ -352,7 +364,7 @@ void EndpointSurvey::Note(const void* endpoint, bool there, bool writes) {
     return;
   }
   Endpoint& added = endpoints_.emplace_back();
-  added.topic = Printable(one.topic_name);
+  added.topic = Shown(one.topic_name);
   added.ours = ours;
   added.writes = writes;
   const auto whose = std::ranges::find_if(others_, [&](const Neighbour& other) {
@@ -361,7 +373,7 @@ void EndpointSurvey::Note(const void* endpoint, bool there, bool writes) {
   if (whose != others_.end()) added.who = *whose;
   added.who.writer = std::to_array(one.key.v);
   added.who.participant = std::to_array(one.participant_key.v);
-  added.who.type = Printable(one.type_name);
+  added.who.type = Shown(one.type_name);
   added.definition = DefinitionOf(one);
   ReadQos(one.qos, &added);
 }
@@ -377,7 +389,7 @@ std::vector<TopicOnBus> EndpointWatch::Poll() {
     const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(sample);
     if (!there || std::string_view(endpoint.type_name).starts_with(kBuiltin)) return;
     if (!of_others && !std::ranges::equal(ours_, endpoint.participant_key.v)) return;
-    topics.push_back({.topic = endpoint.topic_name, .type = endpoint.type_name});
+    topics.push_back({.topic = Shown(endpoint.topic_name), .type = Shown(endpoint.type_name)});
   };
   ForEachChange(writers_.handle(),
                 [&](const void* sample, bool there) { note(sample, there, true); });

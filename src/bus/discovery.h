@@ -31,7 +31,8 @@ struct Neighbour {
 // Returns one line for a log: "process 123 (name) on host (addresses)", without what is unknown.
 std::string Describe(const Neighbour& neighbour);
 
-// Watches for writers of one topic in other participants, of any message type.
+// Watches for writers of one topic in other participants, of any message type, in the partition of
+// ours.
 class NeighbourWatch {
  public:
   // Throws BusError if Cyclone refuses.
@@ -46,6 +47,7 @@ class NeighbourWatch {
   void Note(const void* publication);
 
   ParticipantKey ours_;
+  std::string partitions_;
   std::string topic_;
   Entity publications_;  // reader of DCPSPublication
   Entity participants_;  // reader of DCPSParticipant
@@ -86,15 +88,16 @@ struct Mismatch {
 std::string Describe(const Mismatch& mismatch);
 
 // Watches for writers of other participants from which our readers receive nothing, since their
-// type or quality of service is another.
+// type or quality of service is another. If ours is in a partition, only writers in it count: the
+// others are those of its neighbours.
 class MismatchWatch {
  public:
   // `readers` must outlive the watch, which any thread may poll. Throws BusError if Cyclone
   // refuses.
   MismatchWatch(const Participant& participant, std::vector<const ReaderCore*> readers);
 
-  // Returns those that are new, each once, 32 in all: whoever is on the network may make as many as
-  // it likes. A writer has 0.5 s to be matched after it was discovered. Never blocks.
+  // Returns the new ones, each once, 32 in all, since the network is untrusted. A writer has 0.5 s
+  // to be matched after it was discovered and its reader was opened. Never blocks.
   std::vector<Mismatch> Poll(std::chrono::nanoseconds now);
 
  private:
@@ -107,6 +110,7 @@ class MismatchWatch {
   void Suspicious(const void* publication, std::chrono::nanoseconds now);
 
   ParticipantKey ours_;
+  std::string partitions_;
   std::vector<const ReaderCore*> readers_;
   Entity publications_;  // reader of DCPSPublication
   Entity participants_;  // reader of DCPSParticipant

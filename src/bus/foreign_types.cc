@@ -20,9 +20,9 @@
 
 namespace {
 
-// The most bytes that are read of what an end tells of its type and of a question about types. Both
-// nest, and Cyclone follows them by recursion: 120 kB overflow the stack (measured). *Assumed*: a
-// question about a hundred types has 3 kB.
+// The most bytes that are read of an endpoint's type information and of a question about types.
+// Both nest, and Cyclone follows them by recursion: 120 kB overflow the stack (measured).
+// *Assumed*: a question about a hundred types has 3 kB.
 constexpr std::uint32_t kMostBytes = 8192;
 
 constexpr std::string_view kQuestions = "DDS::Builtin::TypeLookup_Request";
@@ -49,7 +49,7 @@ bool ddsi_tl_request_type(ddsi_domaingv*, const ddsi_typeid_t*, const ddsi_guid_
 
 void ddsi_tl_handle_reply(ddsi_domaingv*, ddsi_serdata*) {}
 
-// Called for each end of another's that discovery finds and that tells of its type. Sets `type` to
+// Called for each foreign endpoint that discovery finds with type information. Sets `type` to
 // what the matching compares; null compares names alone.
 dds_return_t ddsi_type_ref_proxy(ddsi_domaingv* domain, ddsi_type** type,
                                  const ddsi_typeinfo_t* told, ddsi_typeid_kind_t kind,
@@ -82,7 +82,7 @@ bool dds_stream_normalize(void* data, std::uint32_t size, bool bswap, std::uint3
   return cyclones(data, size, bswap, version, type, just_key, used);
 }
 
-// Checks, among others, what an end tells of its type.
+// Checks, among others, an endpoint's type information.
 const std::uint32_t* dds_stream_normalize_data(char* data, std::uint32_t* offset,
                                                std::uint32_t size, bool bswap,
                                                std::uint32_t version, const std::uint32_t* ops) {
@@ -170,8 +170,8 @@ void RequireUnreadTypes() {
   };
   if (std::ranges::all_of(kReplaced, is_ours)) return;
   throw BusError(
-      "this build lets Cyclone DDS read what others tell of their types, at which it may crash: "
-      "link it with --export-dynamic");
+      "this build lets Cyclone DDS read foreign type information, which may crash it: link it with "
+      "--export-dynamic");
 }
 
 }  // namespace understudy::bus

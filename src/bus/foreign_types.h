@@ -1,8 +1,8 @@
-// Keeps Cyclone from reading what others tell of their types.
+// Keeps Cyclone from reading foreign type information.
 //
-// Cyclone 0.10.2 asks whoever has an end of a topic whose type it does not know for a description
-// of that type. It takes every answer, asked for or not, and reads through a null pointer where one
-// has a collection of what it has no kind for: of int8 or uint8, as ROS 2 on Fast DDS 3 sends. So a
+// Cyclone 0.10.2 asks the owner of an endpoint with an unknown type for a description of that type.
+// It takes every answer, asked for or not, and reads through a null pointer where one has a
+// collection of what it has no kind for: of int8 or uint8, as ROS 2 on Fast DDS 3 sends. So a
 // packet of a stranger's ends the process.
 //
 // Here two things are known of another's type: its name and, of a Cyclone's, the hash by which

@@ -14,8 +14,9 @@ struct QosDeleter {
 };
 using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
 
-// As the vendor's writers (docs/sources.md#dds): RELIABLE, VOLATILE, KEEP_LAST 1, XCDR1 or XCDR2,
-// sent as XCDR1. Only the blocking time differs, which others cannot see: 0 s instead of 100 ms.
+// As the vendor's writers (docs/dev/sources.md#dds): RELIABLE, VOLATILE, KEEP_LAST 1, XCDR1 or
+// XCDR2, sent as XCDR1. Only the blocking time differs, which others cannot see: 0 s instead of 100
+// ms.
 QosPtr WriterQos();
 
 // Compatible with C++, Python and ROS 2 writers: VOLATILE, XCDR1 and XCDR2.

@@ -11,7 +11,6 @@
 #include <dds/ddsi/ddsi_serdata.h>
 
 #include "base/errors.h"
-#include "bus/cyclone_log.h"
 #include "bus/qos.h"
 
 namespace understudy::bus {
@@ -47,7 +46,8 @@ struct ReaderCore::Listener {
     if (to->bell != nullptr) to->bell->Ring();
   }
   static void OnLost(dds_entity_t, dds_sample_lost_status_t status, void* reports) {
-    static_cast<Reports*>(reports)->lost.store(status.total_count, std::memory_order_relaxed);
+    static_cast<Reports*>(reports)->lost.fetch_add(
+        static_cast<std::uint64_t>(status.total_count_change), std::memory_order_relaxed);
   }
   static void OnMatch(dds_entity_t, dds_subscription_matched_status_t status, void* reports) {
     static_cast<Reports*>(reports)->writers.store(static_cast<int>(status.current_count),
@@ -78,27 +78,60 @@ ReaderCore::ReaderCore(const Participant& participant, const char* topic,
                        const ReaderOptions& options)
     : name_(topic),
       type_(TypeOf(topic, descriptor, message_size)),
-      undecoded_(&UndecodedSamples(topic)),
+      undecoded_(&UndecodedOf(topic)),
+      seen_undecoded_(undecoded_->all),
+      before_(UndecodedByWriter(topic)),
       received_(&participant.traffic().Of(topic).received),
       most_bytes_(options.most_bytes),
       reports_(std::make_unique<Reports>(options)),
+      subscriber_(participant.subscriber()),
+      options_(InCyclone(options)),
       topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
              std::string("create topic ") + topic),
-      reader_(dds_create_reader(participant.handle(), topic_.handle(),
-                                ReaderQos(InCyclone(options)).get(),
-                                Listener::To(reports_.get()).get()),
-              std::string("read topic ") + topic),
+      reader_(Create()),
       queue_(static_cast<std::size_t>(options.depth)),
       message_(new std::byte[message_size]{}, MessageDeleter{&descriptor}) {}
 
+Entity ReaderCore::Create() {
+  Entity reader(dds_create_reader(subscriber_, topic_.handle(), ReaderQos(options_).get(),
+                                  Listener::To(reports_.get()).get()),
+                "read topic " + name_);
+  reports_->handle.store(reader.handle(), std::memory_order_release);
+  return reader;
+}
+
+void ReaderCore::Open(bool open) {
+  if (open == reader_.has_value()) return;
+  if (open) {
+    reader_.emplace(Create());
+  } else {
+    reports_->handle = 0;
+    reader_.reset();
+    reports_->writers = 0;
+  }
+}
+
+void ReaderCore::CountUndecoded() const {
+  seen_undecoded_ = undecoded_->all.load(std::memory_order_relaxed);
+  own_undecoded_ = 0;
+  for (const auto& [writer, count] : UndecodedByWriter(name_)) {
+    const auto before = before_.find(writer);
+    const std::uint64_t since = count - (before == before_.end() ? 0 : before->second);
+    if (since == 0) continue;
+    const auto [own, is_new] = own_writers_.try_emplace(writer, false);
+    if (is_new) own->second = IsMatched(writer);
+    if (own->second) own_undecoded_ += since;
+  }
+}
+
 bool ReaderCore::IsMatched(const std::array<std::uint8_t, 16>& writer) const {
+  const std::int32_t reader = reports_->handle.load(std::memory_order_acquire);
   std::vector<dds_instance_handle_t> writers(static_cast<std::size_t>(matched_writers()));
-  const int count = dds_get_matched_publications(reader_.handle(), writers.data(), writers.size());
+  const int count = dds_get_matched_publications(reader, writers.data(), writers.size());
   writers.resize(std::min(writers.size(), static_cast<std::size_t>(std::max(0, count))));
   return std::ranges::any_of(writers, [&](dds_instance_handle_t one) {
     const std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>
-        endpoint(dds_get_matched_publication_data(reader_.handle(), one),
-                 &dds_builtintopic_free_endpoint);
+        endpoint(dds_get_matched_publication_data(reader, one), &dds_builtintopic_free_endpoint);
     return endpoint != nullptr && std::ranges::equal(endpoint->key.v, writer);
   });
 }
@@ -138,14 +171,14 @@ std::string_view ReaderCore::refused_policy() const {
 // raises it again.
 void ReaderCore::Gather() {
   if (!reports_->arrived.load(std::memory_order_relaxed) ||
-      !reports_->arrived.exchange(false, std::memory_order_acquire)) {
+      !reports_->arrived.exchange(false, std::memory_order_acquire) || !reader_) {
     return;
   }
   std::array<ddsi_serdata*, kAtOnce> taken{};
   std::array<dds_sample_info_t, kAtOnce> infos;
   for (int total = 0; total < kMostGathered;) {
     const int count =
-        dds_takecdr(reader_.handle(), taken.data(), kAtOnce, infos.data(), DDS_ANY_STATE);
+        dds_takecdr(reader_->handle(), taken.data(), kAtOnce, infos.data(), DDS_ANY_STATE);
     for (std::size_t i = 0; std::cmp_less(i, count); ++i) {
       CdrSample sample(taken[i], infos[i].publication_handle);
       if (!infos[i].valid_data) continue;  // says only that a writer has gone
@@ -170,6 +203,14 @@ void ReaderCore::Push(CdrSample sample) {
   }
   queue_[(first_ + waiting_) % queue_.size()] = std::move(sample);
   ++waiting_;
+}
+
+void ReaderCore::Drop() {
+  Gather();
+  for (; waiting_ > 0; --waiting_) {
+    queue_[first_] = CdrSample();
+    first_ = (first_ + 1) % queue_.size();
+  }
 }
 
 bool ReaderCore::Next(CdrSample* sample) {

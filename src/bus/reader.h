@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "base/bell.h"
 #include "bus/cdr_sample.h"
+#include "bus/cyclone_log.h"
 #include "bus/participant.h"
 #include "bus/topic.h"
 
@@ -33,8 +35,8 @@ struct ReaderOptions {
   // bytes. Of the serialized message.
   std::size_t most_bytes = 65536;
   const Bell* bell = nullptr;  // rung when something has arrived; outlives the reader
-  // Raised when something has arrived, for those who poll many readers: one flag for all of them.
-  // Outlives the reader.
+  // "Data available" flag, shared by several readers: raised when something has arrived. Outlives
+  // the reader.
   std::atomic<bool>* mail = nullptr;
 };
 
@@ -55,20 +57,31 @@ class ReaderCore {
   // Returns whether the writer with that GUID is among them. Allocates. Any thread.
   bool IsMatched(const std::array<std::uint8_t, 16>& writer) const;
 
-  // Returns how many samples of the topic were received and could not be decoded or were too long.
+  // Returns how many samples from its writers were received and could not be decoded or were too
+  // long. Allocates if there are more than before, else it only loads a counter.
   std::uint64_t undecoded() const {
-    return undecoded_->load(std::memory_order_relaxed) + too_long_;
+    if (seen_undecoded_ != undecoded_->all.load(std::memory_order_relaxed)) CountUndecoded();
+    return own_undecoded_ + too_long_;
   }
   // Returns how many samples were received and never taken: newer ones replaced them in the queue,
   // or Cyclone reported them lost.
   std::uint64_t lost() const { return replaced_ + reports_->lost.load(std::memory_order_relaxed); }
+  // Closes the reader, so that nobody reads the topic, or opens it again; `open` at first. What
+  // waits in the queue stays, what has not been gathered is dropped. Throws BusError if Cyclone
+  // refuses; the reader is closed then.
+  void Open(bool open);
+  // Any thread.
+  bool is_open() const { return reports_->handle.load(std::memory_order_acquire) != 0; }
+
   // Moves what has arrived into the queue, as Take does first.
   void Gather();
+  // Drops all that has arrived and waits; it does not count as lost.
+  void Drop();
 
   // Returns the participant of a sample's writer; nullopt if the writer has gone meanwhile.
   // Allocates.
   std::optional<ParticipantKey> ParticipantOf(WriterHandle writer) const {
-    return bus::ParticipantOf(reader_, writer);
+    return reader_ ? bus::ParticipantOf(*reader_, writer) : std::nullopt;
   }
 
   const std::string& topic() const { return name_; }
@@ -95,6 +108,7 @@ class ReaderCore {
     std::atomic<std::uint64_t> lost{0};
     std::atomic<int> writers{0};           // that match now
     std::atomic<std::uint32_t> policy{0};  // of the last writer that did not match; 0: none
+    std::atomic<std::int32_t> handle{0};   // of the reader; 0: it is closed
   };
   // Releases what Cyclone allocated for strings and sequences of a message.
   struct MessageDeleter {
@@ -104,15 +118,23 @@ class ReaderCore {
 
   // Called by Cyclone's threads. Named in cmake/tsan.supp.
   struct Listener;
+  Entity Create();
   void Push(CdrSample sample);
+  void CountUndecoded() const;
 
   std::string name_, type_;
-  const std::atomic<std::uint64_t>* undecoded_;
+  // Cyclone reports them for the process: a reader counts those of writers that match it.
+  const UndecodedSamples* undecoded_;
+  mutable std::uint64_t seen_undecoded_, own_undecoded_ = 0;
+  mutable std::map<UndecodedSamples::Writer, bool> own_writers_;  // whether it matched this reader
+  std::map<UndecodedSamples::Writer, std::uint64_t> before_;      // of the time before this reader
   std::atomic<std::uint64_t>* received_;
   std::size_t most_bytes_;
   std::unique_ptr<Reports> reports_;  // outlives reader_
+  std::int32_t subscriber_;
+  ReaderOptions options_;
   Entity topic_;
-  Entity reader_;
+  std::optional<Entity> reader_;  // nullopt while it is closed
   std::vector<CdrSample> queue_;  // a ring of `depth`
   std::size_t first_ = 0, waiting_ = 0;
   std::uint64_t replaced_ = 0, too_long_ = 0;

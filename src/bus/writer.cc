@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
 #include <dds/dds.h>
+#include <dds/ddsi/ddsi_cdrstream.h>
 
 #include "base/errors.h"
 #include "bus/qos.h"
@@ -32,11 +34,12 @@ ListenerPtr CountOnMatch(Readers* readers) {
 
 WriterCore::WriterCore(const Participant& participant, const char* topic,
                        const dds_topic_descriptor& descriptor, std::size_t message_size)
-    : readers_(std::make_unique<Readers>(0)),
+    : descriptor_(&descriptor),
+      readers_(std::make_unique<Readers>(0)),
       sent_(&participant.traffic().Of(topic).sent),
       topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
              std::string("create topic ") + topic),
-      writer_(dds_create_writer(participant.handle(), topic_.handle(), WriterQos().get(),
+      writer_(dds_create_writer(participant.publisher(), topic_.handle(), WriterQos().get(),
                                 CountOnMatch(readers_.get()).get()),
               std::string("write topic ") + topic) {
   if (descriptor.m_size != message_size) {
@@ -71,6 +74,27 @@ bool WriterCore::WriteMessage(const void* message) noexcept {
   if (dds_write(writer_.handle(), message) != DDS_RETCODE_OK) return false;
   sent_->fetch_add(1, std::memory_order_relaxed);
   return true;
+}
+
+void WriterCore::PackMessage(const void* message, std::vector<char>* packed) const {
+  dds_ostream_t stream;
+  dds_ostream_init(&stream, 0, CDR_ENC_VERSION_1);
+  dds_stream_write(&stream, static_cast<const char*>(message), descriptor_->m_ops);
+  const auto* const begin = reinterpret_cast<const char*>(stream.m_buffer);
+  packed->assign(begin, begin + stream.m_index);
+  dds_ostream_fini(&stream);
+}
+
+bool WriterCore::WritePacked(const std::vector<char>& packed) noexcept {
+  const std::unique_ptr<char[]> message(new (std::nothrow) char[descriptor_->m_size]{});
+  if (!message) return false;
+  dds_istream_t stream;
+  dds_istream_init(&stream, static_cast<std::uint32_t>(packed.size()), packed.data(),
+                   CDR_ENC_VERSION_1);
+  dds_stream_read(&stream, message.get(), descriptor_->m_ops);
+  const bool written = WriteMessage(message.get());
+  dds_stream_free_sample(message.get(), descriptor_->m_ops);
+  return written;
 }
 
 }  // namespace understudy::bus

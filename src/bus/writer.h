@@ -2,8 +2,10 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "bus/participant.h"
 #include "bus/topic.h"
@@ -30,10 +32,15 @@ class WriterCore {
   // now. Allocates.
   bool ReachesParticipant(const ParticipantKey& key) const;
 
+  // Sends what Writer::Pack made; returns false if Cyclone refuses it.
+  bool WritePacked(const std::vector<char>& packed) noexcept;
+
  protected:
   bool WriteMessage(const void* message) noexcept;
+  void PackMessage(const void* message, std::vector<char>* packed) const;
 
  private:
+  const dds_topic_descriptor* descriptor_;
   std::unique_ptr<std::atomic<std::uint32_t>>
       readers_;  // set by Cyclone's threads; outlives writer_
   std::atomic<std::uint64_t>* sent_;
@@ -55,6 +62,8 @@ class Writer : public WriterCore {
   // Sends one message to the readers matched now. If Cyclone refuses it, returns false. It takes as
   // long without a reader: check has_readers() first. Only Cyclone allocates.
   bool Write(const Msg& message) noexcept { return WriteMessage(&message); }
+  // Copies the message, with all that it points to, so that it can be sent later.
+  void Pack(const Msg& message, std::vector<char>* packed) const { PackMessage(&message, packed); }
 };
 
 }  // namespace understudy::bus

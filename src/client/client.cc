@@ -65,13 +65,14 @@ std::vector<RunningRobot> FindRobots() {
   return robots;
 }
 
-struct Connection::Stream {
+struct ControlConnection::Stream {
   asio::io_context io{1};
   beast::basic_stream<Protocol> stream{io};
   beast::flat_buffer buffer;
 };
 
-Connection::Connection(const std::filesystem::path& socket, std::chrono::milliseconds timeout)
+ControlConnection::ControlConnection(const std::filesystem::path& socket,
+                                     std::chrono::milliseconds timeout)
     : socket_(socket), stream_(std::make_unique<Stream>()) {
   CheckSocketPath(socket);
   error_code connecting;
@@ -84,11 +85,11 @@ Connection::Connection(const std::filesystem::path& socket, std::chrono::millise
   }
 }
 
-Connection::~Connection() = default;
+ControlConnection::~ControlConnection() = default;
 
-ControlReply Connection::Ask(const std::string& method, const std::string& path,
-                             const std::string& body, std::chrono::milliseconds timeout,
-                             bool last) {
+ControlReply ControlConnection::Ask(const std::string& method, const std::string& path,
+                                    const std::string& body, std::chrono::milliseconds timeout,
+                                    bool last) {
   http::request<http::string_body> request;
   request.version(11);
   request.method_string(method);
@@ -121,7 +122,7 @@ ControlReply Connection::Ask(const std::string& method, const std::string& path,
 ControlReply Call(const std::filesystem::path& socket, const std::string& method,
                   const std::string& path, const std::string& body,
                   std::chrono::milliseconds timeout) {
-  return Connection(socket, timeout).Ask(method, path, body, timeout, true);
+  return ControlConnection(socket, timeout).Ask(method, path, body, timeout, true);
 }
 
 class ControlStream::Impl {

@@ -29,13 +29,13 @@ struct ControlReply {
 
 // A connection to a robot for one request after another. The robot closes it after
 // ServerLimits::idle without a request.
-class Connection {
+class ControlConnection {
  public:
   // Throws ControlError if nothing listens at `socket`.
-  Connection(const std::filesystem::path& socket, std::chrono::milliseconds timeout);
-  ~Connection();
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
+  ControlConnection(const std::filesystem::path& socket, std::chrono::milliseconds timeout);
+  ~ControlConnection();
+  ControlConnection(const ControlConnection&) = delete;
+  ControlConnection& operator=(const ControlConnection&) = delete;
 
   // Sends a request and returns the reply, of any status. Throws ControlError if no HTTP reply
   // comes within `timeout`; the connection is then unusable. `last` closes the connection after the

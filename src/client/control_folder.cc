@@ -65,7 +65,7 @@ void CheckControlFolder(const std::filesystem::path& folder) {
                        std::to_string(::geteuid()));
   }
   if ((found.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
-    Refuse(folder, "others may look into it; chmod 700 it");
+    Refuse(folder, "other users may read it; run: chmod 700 " + folder.string());
   }
 }
 

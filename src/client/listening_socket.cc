@@ -1,8 +1,10 @@
 #include "client/listening_socket.h"
 
 #include <cerrno>
+#include <chrono>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -12,6 +14,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/signals.h"
 #include "base/unique_fd.h"
 #include "client/control_folder.h"
 
@@ -21,16 +24,21 @@ namespace {
 // Locks a folder against other processes until the descriptor closes.
 class FolderLock {
  public:
-  enum class Patience { kWait, kTry };
+  // kWait: until a signal asks this process to end, at most kLongest; kBriefly: at most a second.
+  enum class Patience { kWait, kTry, kBriefly };
 
   FolderLock(const std::filesystem::path& folder, Patience patience)
       : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    const int how = LOCK_EX | (patience == Patience::kTry ? LOCK_NB : 0);
-    int result = -1;
-    do {
-      result = folder_.valid() ? ::flock(folder_.get(), how) : -1;
-    } while (result != 0 && errno == EINTR);
-    held_ = result == 0;
+    const auto end = std::chrono::steady_clock::now() +
+                     (patience == Patience::kWait ? kLongest : std::chrono::seconds(1));
+    while (folder_.valid() && !held_) {
+      held_ = ::flock(folder_.get(), LOCK_EX | LOCK_NB) == 0;
+      if (held_ || (errno != EWOULDBLOCK && errno != EINTR)) return;
+      if (patience == Patience::kTry) return;
+      if (patience == Patience::kWait && StopSignal() != 0) return;
+      if (std::chrono::steady_clock::now() >= end) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
   }
 
   bool held() const { return held_; }
@@ -41,6 +49,9 @@ class FolderLock {
   }
 
  private:
+  // *Assumed*: others hold it for milliseconds, one that is stopped for as long as it is.
+  static constexpr std::chrono::seconds kLongest{30};
+
   UniqueFd folder_;
   bool held_ = false;
 };
@@ -126,6 +137,10 @@ void RemoveControlFolder(const std::filesystem::path& folder) {
 ListeningSocket::ListeningSocket(const std::filesystem::path& path) : path_(path) {
   CheckSocketPath(path_);
   const FolderLock lock = Lock(FolderOf(path_));
+  if (!lock.held() && errno == EWOULDBLOCK) {
+    RefuseSocket(path_, "another process holds the lock of its folder (`fuser -v " +
+                            FolderOf(path_).string() + "` names it)");
+  }
   if (!lock.held()) RefuseBySystem(path_);
 
   const SocketProbe before = ProbeSocket(path_);
@@ -162,7 +177,7 @@ ListeningSocket::ListeningSocket(const std::filesystem::path& path) : path_(path
 }
 
 ListeningSocket::~ListeningSocket() {
-  const FolderLock lock(FolderOf(path_), FolderLock::Patience::kWait);
+  const FolderLock lock(FolderOf(path_), FolderLock::Patience::kBriefly);
   struct stat found {};
   const bool ours =
       ::lstat(path_.c_str(), &found) == 0 && found.st_dev == device_ && found.st_ino == inode_;

@@ -22,19 +22,35 @@ std::vector<std::string> NamesOf(const std::vector<RunningRobot>& robots) {
   return names;
 }
 
+std::string Listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 RobotPlace FindNamed(const std::string& name, const std::vector<RunningRobot>& robots) {
   const auto it = std::find_if(robots.begin(), robots.end(),
                                [&](const RunningRobot& robot) { return robot.name == name; });
   if (it != robots.end()) return {.socket = it->socket, .why = {}};
-  const std::string nearest = NearestWord(name, NamesOf(robots));
-  const std::string hint = nearest.empty() ? "" : ": did you mean \"" + nearest + "\"?";
+  // Its default name without the process, if only one has that.
+  const auto is = [&name](const RunningRobot& robot) {
+    return robot.name == name + "-" + std::to_string(robot.pid);
+  };
+  if (std::ranges::count_if(robots, is) == 1) {
+    return {.socket = std::ranges::find_if(robots, is)->socket, .why = ""};
+  }
+  const std::vector<std::string> names = NamesOf(robots);
+  const std::string nearest = NearestWord(name, names);
+  const std::string hint = !nearest.empty() ? ": did you mean \"" + nearest + "\"?"
+                           : names.empty()  ? ""
+                                            : "; there are " + Listed(names);
   return {.socket = {}, .why = "no robot named \"" + name + "\" runs" + hint};
 }
 
 }  // namespace
 
 void AddRobotChoice(CLI::App* command, RobotChoice* choice) {
-  CLI::Option* name = command->add_option("--name", choice->name,
+  CLI::Option* name = command->add_option("--name,--robot", choice->name,
                                           "The robot's name; `understudy ctl list` shows them");
   command
       ->add_option("--socket", choice->socket,
@@ -76,9 +92,7 @@ RobotPlace FindRobot(const RobotChoice& choice) {
   if (!SpeaksJson() && ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1) {
     if (const auto name = AskWhich(names, std::cin, std::cerr)) return FindNamed(*name, robots);
   }
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  throw ControlError("several robots run (" + list + "); choose one with --name NAME");
+  throw ControlError("several robots run (" + Listed(names) + "); choose one with --robot NAME");
 }
 
 std::filesystem::path ChosenSocket(const RobotChoice& choice) {

@@ -1,4 +1,4 @@
-// Opens the panel in the browser of whoever runs the robot.
+// Opens the panel in the browser of the user who runs the robot.
 #pragma once
 
 #include <filesystem>

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::steady_clock;
 
-// Where nobody looks, progress is told this often; *assumed*.
+// Without a terminal, progress is printed this often; *assumed*.
 constexpr std::chrono::seconds kQuietEvery(60);
 
 // The cores that this process may use, as in a job of a cluster.
@@ -67,7 +67,7 @@ class Teller {
     std::fprintf(stderr, "%s\n", text.c_str());
   }
 
-  // Runs that passed are told at the end.
+  // Runs that passed are printed at the end.
   void Tell(const rehearse::RunResult& result) {
     if (result.outcome == judge::Outcome::kPassed) return;
     Clear();

@@ -44,7 +44,7 @@ struct CampaignRequest {
 // Plays it, tells it and returns the exit code of `rehearse`: of the runs of this shard.
 int CampaignCommand(const CampaignRequest& request, const CampaignArguments& arguments);
 
-// Merges the folders into `out` and tells the whole.
+// Merges the folders into `out` and prints the sums.
 int MergeCommand(const CampaignArguments& arguments, const std::string& out, bool json);
 
 }  // namespace understudy::commands

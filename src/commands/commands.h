@@ -13,12 +13,15 @@ using Chosen = std::function<int()>;
 
 // Each adds subcommands to the command line. Parsing sets `chosen`, which must outlive it, if one
 // of them is used.
-void AddRunCommands(CLI::App* app, Chosen* chosen);       // run, exec
+// `after_dashes`, which must outlive parsing: how many words follow --.
+void AddRunCommands(CLI::App* app, Chosen* chosen, const std::size_t* after_dashes);  // run, exec
 void AddTerrainCommand(CLI::App* app, Chosen* chosen);    // writes a run's ground to files
-void AddRehearseCommands(CLI::App* app, Chosen* chosen);  // rehearse, judge
+void AddRehearseCommand(CLI::App* app, Chosen* chosen);   // plays scenarios and judges them
+void AddJudgeCommand(CLI::App* app, Chosen* chosen);      // judges a recording
 void AddPlayCommand(CLI::App* app, Chosen* chosen);       // replays a recording onto the bus
 void AddExportCommand(CLI::App* app, Chosen* chosen);     // writes a robot in others' forms
 void AddNewCommand(CLI::App* app, Chosen* chosen);        // makes the files of a robot from URDF
+void AddPolicyCommand(CLI::App* app, Chosen* chosen);     // checks a trained policy
 void AddPlotCommand(CLI::App* app, Chosen* chosen);       // plots a recording
 void AddCompareCommand(CLI::App* app, Chosen* chosen);    // compares two recordings
 void AddIdentifyCommand(CLI::App* app, Chosen* chosen);   // fits a robot to recordings
@@ -29,8 +32,6 @@ void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists the contents 
 // one JSON document to standard output.
 void AddInspectCommands(CLI::App* app, Chosen* chosen);
 void AddCompletionsCommand(CLI::App* app, Chosen* chosen);
-// Hidden, for packages: writes the manual pages of the commands that `app` has when it runs.
-void AddManualCommand(CLI::App* app, Chosen* chosen);
 
 // If `app` needs a subcommand and the command line has no valid one, returns an error line with the
 // nearest and all valid words: "no command 'stauts' of `understudy ctl`; did you mean 'status'?

@@ -12,17 +12,12 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "exec/companion_file.h"
 
 namespace understudy::commands {
 
-std::filesystem::path CompanionFile(const std::string& program) {
-  std::error_code ignored;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  return self.parent_path().parent_path() / "libexec" / "understudy" / program;
-}
-
 void BecomeCompanion(const Companion& companion, char** argv) {
-  const std::filesystem::path file = CompanionFile(companion.program);
+  const std::filesystem::path file = exec::CompanionFile(companion.program);
   ::execv(file.c_str(), argv);
   const int error = errno;
   const std::string what = "`understudy " + companion.command->get_name() + "` is the program " +
@@ -33,7 +28,7 @@ void BecomeCompanion(const Companion& companion, char** argv) {
 CompanionProcess::CompanionProcess(std::string what, const char* program, const char* missing,
                                    const std::vector<std::string>& words)
     : what_(std::move(what)) {
-  const std::filesystem::path file = CompanionFile(program);
+  const std::filesystem::path file = exec::CompanionFile(program);
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) {
     why_not_ = "there is no " + file.string() + "; " + missing;

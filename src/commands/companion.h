@@ -22,9 +22,6 @@ struct Companion {
   const char* missing;      // how to install it
 };
 
-// Returns the path of a companion, which may not exist.
-std::filesystem::path CompanionFile(const std::string& program);
-
 // Replaces this process by the companion, with the same command line: the command's name is its
 // first argument. Throws SetupError if it is missing or cannot be run.
 [[noreturn]] void BecomeCompanion(const Companion& companion, char** argv);

@@ -27,7 +27,7 @@ int CompareCommand(const CompareArguments& arguments) {
     std::fprintf(stderr, "%s was cut short: %s\n", reader->path().c_str(),
                  reader->contents().cut_short.c_str());
   }
-  const rehearse::Comparison comparison = rehearse::Compare(
+  const rehearse::Differences comparison = rehearse::Compare(
       *first, *second, arguments.shifted ? std::optional(arguments.shift) : std::nullopt);
   std::fputs((arguments.json ? CompareJson(comparison) : CompareText(comparison)).c_str(), stdout);
   if (arguments.out.empty()) return 0;

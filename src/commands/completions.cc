@@ -18,7 +18,6 @@
 #include "config/profile.h"
 #include "config/reference.h"
 #include "config/robot_file.h"
-#include "config/setting_keys.h"
 #include "emulator/live_settings.h"
 #include "emulator/request.h"
 #include "emulator/snapshot.h"
@@ -26,6 +25,7 @@
 #include "robot/start_pose.h"
 #include "server/request_docs.h"
 #include "terrain/terrain.h"
+#include "wire/robot_topics.h"
 
 namespace understudy::commands {
 namespace {
@@ -39,6 +39,14 @@ Words Revisions(const Typed& typed) {
   return config::ReadRobotFile(typed.places.front(), config::DataDir()).RevisionNames();
 }
 
+Words Hands(const Typed& typed) {
+  if (typed.places.empty()) return {};
+  const config::Layers layers{.robot = typed.places.front()};
+  Words names = config::LoadConfig(layers, config::DataDir()).robots[0].spec.hand_makes;
+  names.emplace_back("none");
+  return names;
+}
+
 Words Scenes(const Typed&) {
   Words scenes = terrain::TerrainKinds();
   scenes.emplace_back(terrain::kPatchesScene);
@@ -46,7 +54,7 @@ Words Scenes(const Typed&) {
 }
 
 Words Scenarios(const Typed&) {
-  return config::YamlNames(config::DataDir() / "config" / "scenarios");
+  return schema::YamlNames(config::DataDir() / "config" / "scenarios");
 }
 
 Words Interfaces(const Typed&) {
@@ -69,7 +77,7 @@ Words MotionServices(const Typed& typed) {
   Words names{"none"};
   const config::Layers layers{.robot = typed.places.front()};
   for (const robot::ServiceSpec& service :
-       config::LoadConfig(layers, config::DataDir()).robot.services) {
+       config::LoadConfig(layers, config::DataDir()).robots[0].spec.services) {
     if (!service.alias.empty()) names.push_back(service.alias);
   }
   return names;
@@ -120,7 +128,8 @@ Words Joints(const Typed& typed) { return NamesOf(typed, "motors"); }
 // What `ctl fault` is said of most.
 Words Components(const Typed& typed) {
   Words components = Joints(typed);
-  components.insert(components.end(), {"imu", "battery", "remote", "rt/lowcmd", "all"});
+  components.insert(components.end(),
+                    {"imu", "battery", "remote", std::string(wire::kLowCmdName), "all"});
   return components;
 }
 
@@ -133,6 +142,7 @@ constexpr ValueRow kValues[] = {
     {"--robot", Robots},
     {"--like", Robots},
     {"--revision", Revisions},
+    {"--hands", Hands},
     {"scene", Scenes},
     {"--scene", Scenes},
     {"scenario", Scenarios},
@@ -171,6 +181,7 @@ constexpr ValueRow kKeyValues[] = {
     {"profile", Profiles},
     {"scene", Scenes},
     {"robot.revision", Revisions},
+    {"robot.hand_make", Hands},
     {"network.interface", Interfaces},
     {"motion.service", MotionServices},
 };
@@ -200,40 +211,22 @@ Words Chords(const Typed& typed) {
   return chords;
 }
 
-Words ValuesOf(const emulator::Field& field, const Typed& typed) {
-  switch (field.kind) {
-    case emulator::FieldKind::kSwitch:
-      return {"on", "off"};
-    case emulator::FieldKind::kSpeed:
-      return {"max"};
-    case emulator::FieldKind::kWord:
-      return {field.words.begin(), field.words.end()};
-    case emulator::FieldKind::kKeys:
-      return Chords(typed);
-    case emulator::FieldKind::kBody:
-      return Bodies(typed);
-    case emulator::FieldKind::kSetting: {
-      Words keys;
-      for (const emulator::LiveSetting& one : emulator::LiveSettings()) keys.emplace_back(one.key);
-      return keys;
-    }
-    case emulator::FieldKind::kValue: {
-      const auto keys = config::SettingKeys();
-      const auto key = typed.places.empty()
-                           ? keys.end()
-                           : std::ranges::find(keys, typed.places[0], &emulator::SettingKey::key);
-      return key == keys.end() ? Words() : key->words;
-    }
-    case emulator::FieldKind::kName:
-      return field.key == "joint"       ? Joints(typed)
-             : field.key == "component" ? Components(typed)
-                                        : Words();
-    case emulator::FieldKind::kNumber:
-    case emulator::FieldKind::kWhole:
-    case emulator::FieldKind::kVector:
-    case emulator::FieldKind::kJson:
-    case emulator::FieldKind::kFile:
-      break;
+Words ValuesOf(const schema::Field& field, const Typed& typed) {
+  if (field.type == &schema::kSwitch) return {"on", "off"};
+  if (field.type == &schema::kWord) return {field.words.begin(), field.words.end()};
+  if (field.type == &emulator::types::kSpeed) return {"max"};
+  if (field.type == &emulator::types::kKeys || field.type == &emulator::types::kMaybeKeys)
+    return Chords(typed);
+  if (field.type == &emulator::types::kBody) return Bodies(typed);
+  if (field.key == "joint") return Joints(typed);
+  if (field.key == "component") return Components(typed);
+  if (field.type == &emulator::types::kSetting) {
+    Words keys;
+    for (const emulator::LiveSetting& one : emulator::LiveSettings()) keys.emplace_back(one.key);
+    return keys;
+  }
+  if (field.type == &emulator::types::kValue && !typed.places.empty()) {
+    return config::WordsOfKey(typed.places[0]);
   }
   return {};
 }
@@ -251,7 +244,7 @@ const emulator::RequestRow* RequestOf(const std::string& command) {
 Words ValuesOf(const CLI::Option& option, const Typed& typed) {
   const std::string name = option.get_name();
   if (const emulator::RequestRow* row = RequestOf(typed.command)) {
-    for (const emulator::Field& field : row->fields) {
+    for (const schema::Field& field : row->fields) {
       const bool is =
           name == (field.bare ? server::Capitals(field.key) : "--" + std::string(field.key));
       if (is) return ValuesOf(field, typed);

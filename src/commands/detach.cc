@@ -20,7 +20,6 @@
 #include "base/files.h"
 #include "base/log_line.h"
 #include "base/signals.h"
-#include "commands/panel_memory.h"
 
 namespace understudy::commands {
 namespace {
@@ -29,6 +28,12 @@ constexpr int kGlance = 50;  // ms from one look at a signal to the next
 
 [[noreturn]] void Fail(const std::string& what) {
   throw SetupError(what + ": " + std::strerror(errno));
+}
+
+// The absolute folder that an environment variable names; "" if it names none.
+std::filesystem::path FolderIn(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value == '/' ? value : "";
 }
 
 // Whether the child has said more than the line with its log.
@@ -118,7 +123,8 @@ std::filesystem::path MoveToBackground(const std::string& name) {
 }  // namespace
 
 std::filesystem::path LogFolder() {
-  if (std::filesystem::path folder = StateFolder(); !folder.empty()) return folder;
+  if (const auto state = FolderIn("XDG_STATE_HOME"); !state.empty()) return state / "understudy";
+  if (const auto home = FolderIn("HOME"); !home.empty()) return home / ".local/state/understudy";
   throw SetupError(
       "--detach: there is no folder for the log, since neither HOME nor XDG_STATE_HOME is set");
 }

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -17,6 +18,7 @@ namespace {
 
 struct DoctorArguments {
   doctor::Question question;
+  std::vector<int> domains{0};
   std::string messages = "go";
   int robots = -1;  // not given
   bool echo = false;
@@ -39,7 +41,7 @@ std::string CheckSeconds(const std::string& text) {
 
 int EchoCommand(const DoctorArguments& arguments) {
   const doctor::EchoOptions options{.interface = arguments.question.interface,
-                                    .domain = arguments.question.domain,
+                                    .domain = arguments.domains.front(),
                                     .name = arguments.name.empty() ? HostName() : arguments.name};
   const auto ready = [](const doctor::EchoOptions& at) {
     std::printf("%s answers on %s, domain %d; Ctrl-C ends it\n", at.name.c_str(),
@@ -67,11 +69,20 @@ int DoctorCommand(const DoctorArguments& arguments) {
   doctor::Question question = arguments.question;
   question.hg = arguments.messages == "hg";
   if (arguments.robots >= 0) question.robots = arguments.robots;
-  const auto results = doctor::Judge(doctor::Examine(question));
-  const std::string report =
-      arguments.json ? doctor::ReportJson(question, results) : doctor::ReportText(results);
+  const bool several = arguments.domains.size() > 1;
+  bool wrong = false;
+  std::string report;
+  for (const int domain : arguments.domains) {
+    question.domain = domain;
+    const auto results = doctor::Judge(doctor::Examine(question));
+    wrong = wrong || doctor::AnyWrong(results);
+    if (several && arguments.json) report += report.empty() ? "[" : ",";
+    if (several && !arguments.json) report += "domain " + std::to_string(domain) + "\n";
+    report += arguments.json ? doctor::ReportJson(question, results) : doctor::ReportText(results);
+  }
+  if (several && arguments.json) report += "]\n";
   std::fputs(report.c_str(), stdout);
-  return static_cast<int>(doctor::AnyWrong(results) ? ExitCode::kUnfit : ExitCode::kOk);
+  return static_cast<int>(wrong ? ExitCode::kUnfit : ExitCode::kOk);
 }
 
 }  // namespace
@@ -82,8 +93,12 @@ void AddDoctorCommand(CLI::App* app, Chosen* chosen) {
       "doctor", "Say what is wrong with machine and network, and what to do about it");
   doctor->add_option("--interface", arguments->question.interface, "Network interface [lo]")
       ->type_name("NAME");
-  doctor->add_option("--domain", arguments->question.domain, "DDS domain [0]")
+  doctor
+      ->add_option("--domain", arguments->domains,
+                   "DDS domain; given again, one after the other, as of several robots [0]")
       ->type_name("N")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->check(CLI::Range(0, bus::kLastDomain));
   doctor->add_option("--seconds", arguments->question.seconds, "How long to measure [3]")
       ->type_name("S")
@@ -122,8 +137,9 @@ void AddDoctorCommand(CLI::App* app, Chosen* chosen) {
       "  understudy doctor --interface eth0 --peer far      round trip, loss, firewalls, "
       "multicast\n"
       "  understudy doctor --json --seconds 1               for scripts\n"
+      "  understudy doctor --robots 1 --domain 0 --domain 1    beside `run go2 g1`\n"
       "Exits with 12 if something is wrong, 0 if nothing is; warnings do not count.\n"
-      "docs/doctor.md explains each check.");
+      "docs/reference/doctor.md explains each check.");
   doctor->callback([=] { *chosen = [=] { return DoctorCommand(*arguments); }; });
 }
 

@@ -2,14 +2,17 @@
 #include <filesystem>
 #include <memory>
 
+#include "assembly/make_world.h"
 #include "base/errors.h"
 #include "base/files.h"
 #include "commands/commands.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "mjcf/saved_model.h"
 #include "mjcf/urdf.h"
-#include "run/make_world.h"
+#include "physics/world_model.h"
+#include "run/log_notes.h"
 
 namespace understudy::commands {
 namespace {
@@ -20,20 +23,47 @@ struct ExportArguments : SetArguments {
   std::string out;
 };
 
+config::Config ConfigOf(const ExportArguments& arguments) {
+  return config::LoadConfig({.robot = arguments.robot,
+                             .files = arguments.config_files,
+                             .sets = arguments.sets,
+                             .typed = arguments.typed},
+                            config::DataDir());
+}
+
+int ExportMjcf(const ExportArguments& arguments) {
+  config::Config config = ConfigOf(arguments);
+  const assembly::MadePhysics made = assembly::MakePhysics(&config);
+  run::LogNotes(made.notes);
+  const mjcf::SavedModel saved = mjcf::SaveModel(made.world.robot().model(), physics::kClampName);
+  if (arguments.out.empty()) {
+    if (!saved.fields.empty()) {
+      throw ModelError("the ground is a height field, which is a separate file: use --out FILE");
+    }
+    std::fputs(saved.xml.c_str(), stdout);
+    return 0;
+  }
+  const std::filesystem::path out = arguments.out;
+  WriteFile(out, saved.xml);
+  for (const mjcf::SavedField& field : saved.fields) {
+    WriteFile(out.parent_path() / field.file, field.bytes);
+  }
+  return 0;
+}
+
 int ExportUrdf(const ExportArguments& arguments) {
-  config::Config config = config::LoadConfig({.robot = arguments.robot,
-                                              .files = arguments.config_files,
-                                              .sets = arguments.sets,
-                                              .typed = arguments.typed},
-                                             config::DataDir());
-  run::MakeWorld(&config);  // which fits the names to those of another's model
+  config::Config config = ConfigOf(arguments);
+  // This fits the names to those of another's model.
+  const assembly::MadePhysics made = assembly::MakePhysics(&config);
+  run::LogNotes(made.notes);
   std::map<std::string, mjcf::UrdfLimits> limits;
-  for (const robot::MotorSpec* motor : robot::AllMotors(config.robot)) {
+  for (const robot::MotorSpec* motor : robot::AllMotors(config.robots[0].spec)) {
     limits[motor->joint] = {.effort = motor->torque_limit, .velocity = motor->no_load_speed};
   }
-  const mjcf::ModelHandle model = run::MakeSightModel(config);
+  const std::shared_ptr<const mjModel> model = made.sight->Get();
   const mjcf::Urdf urdf =
-      mjcf::UrdfOf(*model, config.robot.name, mjcf::TreeOf(*model, config.robot.base_body), limits);
+      mjcf::UrdfOf(*model, config.robots[0].spec.name,
+                   mjcf::TreeOf(*model, config.robots[0].spec.base_body), limits);
   if (arguments.out.empty()) {
     if (!urdf.meshes.empty()) {
       throw ModelError("the robot has meshes, which are separate files: use --out FILE");
@@ -52,6 +82,20 @@ int ExportUrdf(const ExportArguments& arguments) {
   return 0;
 }
 
+CLI::App* AddFormat(CLI::App* group, ExportArguments* arguments, const std::string& format,
+                    const std::string& about, const std::string& out) {
+  CLI::App* app = group->add_subcommand(format, about);
+  app->add_option("robot", arguments->robot, "A robot's name or its YAML")
+      ->required()
+      ->type_name("ROBOT");
+  app->add_option("--out", arguments->out, out)->type_name("FILE");
+  AddShortOption(app, arguments, "--revision", "robot.revision", "NAME",
+                 "Hardware revision [the robot's default]");
+  AddShortOption(app, arguments, "--hands", "robot.hand_make", "NAME",
+                 "Hands: NAME, left:NAME, right:NAME, or none [the robot's default]");
+  return app;
+}
+
 }  // namespace
 
 void AddExportCommand(CLI::App* app, Chosen* chosen) {
@@ -60,16 +104,9 @@ void AddExportCommand(CLI::App* app, Chosen* chosen) {
   group->require_subcommand(1);
   group->footer("Example: understudy export urdf go2 --out go2.urdf");
   const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* urdf = group->add_subcommand("urdf", "Write a robot as URDF, for ROS and viewers");
-  urdf->add_option("robot", arguments->robot, "A robot's name or its YAML")
-      ->required()
-      ->type_name("ROBOT");
-  urdf->add_option(
-          "--out", arguments->out,
-          "File to write; meshes, if there are any, go to meshes/ beside it [standard output]")
-      ->type_name("FILE");
-  AddShortOption(urdf, arguments.get(), "--revision", "robot.revision", "NAME",
-                 "Hardware revision [the robot's default]");
+  CLI::App* urdf = AddFormat(
+      group, arguments.get(), "urdf", "Write a robot as URDF, for ROS and viewers",
+      "File to write; meshes, if there are any, go to meshes/ beside it [standard output]");
   AddSetOptions(urdf, arguments.get(), "YAML file, as for a run", "robot.model=mine.xml");
   urdf->footer(
       "Links, joints, masses, ranges and frictions are those of the simulated model. Capsules "
@@ -79,6 +116,21 @@ void AddExportCommand(CLI::App* app, Chosen* chosen) {
       "  understudy export urdf go2 --out go2.urdf\n"
       "  understudy export urdf g1 --revision 6 | grep -c '<joint'");
   urdf->callback([=] { *chosen = [=] { return ExportUrdf(*arguments); }; });
+  CLI::App* mjcf =
+      AddFormat(group, arguments.get(), "mjcf", "Write a robot and its ground as MJCF, for MuJoCo",
+                "File to write; height fields, if there are any, go beside it [standard output]");
+  AddShortOption(mjcf, arguments.get(), "--scene", "scene", "NAME|FILE",
+                 "Ground: a kind of terrain, MJCF or YAML [flat]");
+  AddSetOptions(mjcf, arguments.get(), "YAML file, as for a run", "terrain.difficulty=0.7");
+  mjcf->footer(
+      "The very model that is simulated, revisions, fitted joints and drawn values included, in "
+      "one\n"
+      "file that MuJoCo 2 and 3 load. Its actuators are torques [N·m]; motor curves, heat, delay\n"
+      "and sensors are Understudy's own and are not in it.\n"
+      "Examples:\n"
+      "  understudy export mjcf g1 --out g1.xml\n"
+      "  understudy export mjcf go2 --scene rough --out go2.xml");
+  mjcf->callback([=] { *chosen = [=] { return ExportMjcf(*arguments); }; });
 }
 
 }  // namespace understudy::commands

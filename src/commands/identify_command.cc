@@ -53,7 +53,7 @@ int IdentifyCommand(const IdentifyArguments& arguments) {
                                                     .sets = arguments.settings.sets},
                                                    config::DataDir());
   const auto read = [&](const std::string& file) {
-    return identify::ReadSamples(file, config.robot);
+    return identify::ReadSamples(file, config.robots[0].spec);
   };
   std::vector<identify::Samples> recordings, held_out;
   std::ranges::transform(arguments.recordings, std::back_inserter(recordings), read);
@@ -62,11 +62,13 @@ int IdentifyCommand(const IdentifyArguments& arguments) {
 
   const config::SceneFile scene("flat", {});
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const identify::Replay replay({.spec = config.robot, .file = config::ModelFile(config.robot)},
+  const identify::Replay replay({.spec = config.robots[0].spec,
+                                 .file = config::ModelFile(config.robots[0].spec),
+                                 .hands = config::HandModelFiles(config.robots[0].spec)},
                                 scene.path(), config.physics.timestep,
                                 arguments.jobs > 0 ? arguments.jobs : std::min(cores, kMostJobs));
-  const identify::Basis basis(config.robot, replay.bench(), arguments.by_joint);
-  const std::optional<identify::Result> result = identify::Identify(
+  const identify::Basis basis(config.robots[0].spec, replay.bench(), arguments.by_joint);
+  const std::optional<identify::Identification> result = identify::Identify(
       replay, basis, recordings, held_out,
       {.parameters = arguments.parameters,
        .window = arguments.window,
@@ -120,12 +122,14 @@ int ExciteCommand(ExciteArguments arguments) {
   CatchStopSignals();
   const config::Config config = config::LoadConfig(
       {.robot = arguments.robot, .files = {}, .trees = {}, .sets = {}}, config::DataDir());
-  arguments.settings.excitation.motors = MotorsOf(config.robot, arguments.joints);
+  arguments.settings.excitation.motors = MotorsOf(config.robots[0].spec, arguments.joints);
   const config::SceneFile scene("flat", {});
-  const physics::Bench bench({.spec = config.robot, .file = config::ModelFile(config.robot)},
+  const physics::Bench bench({.spec = config.robots[0].spec,
+                              .file = config::ModelFile(config.robots[0].spec),
+                              .hands = config::HandModelFiles(config.robots[0].spec)},
                              scene.path(), config.physics.timestep);
   const identify::ExciteEnd end =
-      identify::Excite(config.robot, bench, arguments.settings,
+      identify::Excite(config.robots[0].spec, bench, arguments.settings,
                        [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
   if (end == identify::ExciteEnd::kDone) return 0;
   if (end == identify::ExciteEnd::kStopped) {
@@ -233,9 +237,9 @@ void AddIdentifyCommand(CLI::App* app, Chosen* chosen) {
   identify->add_flag("--json", arguments->json, "Print one JSON document");
   identify->footer(
       "Simulates short windows from measured states with the recorded commands (rt/lowcmd),\n"
-      "and looks for figures with which the joints move as they did (docs/identify.md). What\n"
-      "the data do not tell is named and left as it is. A CSV has the columns time, JOINT.q,\n"
-      "JOINT.q_des, JOINT.dq_des, JOINT.kp, JOINT.kd, JOINT.tau_ff.\n"
+      "and searches for figures with which the joints move as recorded. Figures that the data\n"
+      "leave open are named and not changed. A CSV has the columns time, JOINT.q, JOINT.q_des,\n"
+      "JOINT.dq_des, JOINT.kp, JOINT.kd, JOINT.tau_ff. More: docs/reference/identify.md.\n"
       "Examples:\n"
       "  understudy identify chirp.mcap --robot go2 --out mine.yaml\n"
       "  understudy identify a.mcap b.mcap --robot go2 --hold-out c.mcap --by-joint\n"

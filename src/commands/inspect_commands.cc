@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assembly/sight_model.h"
 #include "base/errors.h"
 #include "base/exit_code.h"
 #include "commands/commands.h"
@@ -55,24 +56,24 @@ std::string Listed(const std::string& what, const std::vector<std::string>& name
   return text;
 }
 
-// Throws ModelError if the robot does not fit its model. `notes` may be null.
+// Throws ModelError if a robot does not fit its model. `notes` may be null.
 void CheckFits(const config::Config& config, const config::SceneFile& scene,
                physics::LoadNotes* notes) {
-  const robot::RobotSpec& robot = config.robot;
   try {
-    physics::LoadWorldModel({{robot, config::ModelFile(robot)}}, scene.path(),
-                            config.physics.timestep, notes);
+    physics::LoadWorldModel(assembly::PlacedRobots(config), scene.path(), config.physics.timestep,
+                            notes);
   } catch (const ModelError& error) {
-    if (robot.revision.empty()) throw;
-    throw ModelError("revision " + robot.revision + ": " + error.what());
+    const std::string& revision = config.robots[0].spec.revision;
+    if (revision.empty() || config.robots.size() > 1) throw;
+    throw ModelError("revision " + revision + ": " + error.what());
   }
 }
 
 // Whether a YAML file describes a robot; else it is a layer over one, for --config or --scene.
-bool IsRobot(const config::YamlValue& document) {
-  const config::YamlValue* robot = document.Find("robot");
+bool IsRobot(const schema::YamlValue& document) {
+  const schema::YamlValue* robot = document.Find("robot");
   return document.Find("extends") != nullptr ||
-         (robot != nullptr && robot->kind == config::YamlValue::Kind::kMap &&
+         (robot != nullptr && robot->kind == schema::YamlValue::Kind::kMap &&
           robot->Find("name") != nullptr);
 }
 
@@ -87,11 +88,10 @@ void RequireRobot(const std::string& robot, const std::string& what) {
 }
 
 // Checks a layer over `robot` as `run` reads it: as --scene if it says nothing but the ground.
-std::string CheckLayer(const std::filesystem::path& file, const config::YamlValue& document,
+std::string CheckLayer(const std::filesystem::path& file, const schema::YamlValue& document,
                        const std::string& robot) {
-  RequireRobot(
-      robot, file.string() +
-                 ": has neither robot.name nor extends, so it can only be read on top of a robot");
+  RequireRobot(robot, file.string() +
+                          ": is a layer (neither robot.name nor extends); check it with a robot");
   const bool is_scene = std::ranges::all_of(
       document.keys, [](const auto& key) { return key.text == "scene" || key.text == "terrain"; });
   config::Layers layers{.robot = robot};
@@ -105,12 +105,26 @@ std::string CheckLayer(const std::filesystem::path& file, const config::YamlValu
   return (is_scene ? "scene for --scene, fits " : "layer for --config, fits ") + robot;
 }
 
+std::string NamesOf(const config::Config& config) {
+  std::string text;
+  for (const config::RobotConfig& one : config.robots) text += (text.empty() ? "" : " ") + one.name;
+  return text;
+}
+
+// Checks a file of several robots, as `run` reads it.
+std::string CheckWorld(const std::filesystem::path& file, physics::LoadNotes* notes) {
+  const config::Config config =
+      config::LoadConfig({.robot = std::filesystem::absolute(file).string()}, config::DataDir());
+  CheckFits(config, config::SceneFile(config.scene, config.terrain), notes);
+  return "world of " + NamesOf(config);
+}
+
 std::string Counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 // Checks a scenario, or a file of nothing but expectations, of `robot` unless it names its own.
-std::string CheckScenario(const std::filesystem::path& file, const config::YamlValue& document,
+std::string CheckScenario(const std::filesystem::path& file, const schema::YamlValue& document,
                           const std::string& robot) {
   const auto count = [](const rehearse::Expectations& expect) {
     return Counted(expect.list.size(), "expectation");
@@ -121,14 +135,15 @@ std::string CheckScenario(const std::filesystem::path& file, const config::YamlV
   const bool is_played =
       std::ranges::any_of(kPlayed, [&](const char* key) { return document.Find(key) != nullptr; });
   if (!is_played) {
-    const bool names_robot = document.Find("robot") != nullptr;
+    const bool names_robot =
+        document.Find("robot") != nullptr || document.Find("robots") != nullptr;
     if (!names_robot) RequireRobot(robot, file.string() + ": robot: missing");
     return count(rehearse::LoadStandard(file, names_robot ? "" : robot, {}).expect);
   }
   const rehearse::Scenario scenario = rehearse::LoadScenario(file);
   CheckFits(scenario.config, config::SceneFile(scenario.config.scene, scenario.config.terrain),
             nullptr);
-  std::string text = "scenario for " + scenario.config.robot.name + ", " +
+  std::string text = "scenario for " + NamesOf(scenario.config) + ", " +
                      Counted(scenario.script.events.size(), "event") + ", " +
                      count(scenario.expect);
   if (scenario.plan) {
@@ -151,12 +166,13 @@ std::string CheckFile(const std::filesystem::path& file, const std::string& robo
   if (extension != ".yaml" && extension != ".yml") {
     throw ConfigError(file.string() + ": expected a .yaml or .xml file");
   }
-  const config::YamlValue document = config::ReadYamlFile(file);
+  const schema::YamlValue document = schema::ReadYamlFile(file);
   if (rehearse::IsScenario(document)) return CheckScenario(file, document, robot);
   if (script::IsScript(document)) {
     const script::Script script = script::ReadScript(document, signals::RunningNames());
     return "script, " + Counted(script.events.size(), "event");
   }
+  if (document.Find("robots") != nullptr) return CheckWorld(file, notes);
   if (!IsRobot(document)) return CheckLayer(file, document, robot);
   const config::Config config =
       config::LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, config::DataDir());
@@ -173,10 +189,12 @@ std::string CheckFile(const std::filesystem::path& file, const std::string& robo
   };
   check("revision", variants.RevisionNames());
   check("firmware", variants.FirmwareNames());
+  check("hand_make", config.robots[0].spec.hand_makes);
   notes->looks.clear();  // only for the check of a model
-  const std::size_t hands = config.robot.hands.size();
-  return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +
-         " motors, " + (hands == 0 ? "" : std::to_string(hands) + " hands, ") + "fits its model";
+  const std::size_t hands = config.robots[0].spec.hands.size();
+  return "robot " + config.robots[0].spec.name + ", " +
+         std::to_string(config.robots[0].spec.motors.size()) + " motors, " +
+         (hands == 0 ? "" : std::to_string(hands) + " hands, ") + "fits its model";
 }
 
 // Makes the JSON result of one file. The text of an error has its own file and line, which may be
@@ -225,11 +243,13 @@ int RobotsCommand(bool as_json) {
   for (const std::string& name : config::RobotNames(data)) {
     const config::Config config =
         config::LoadConfig({.robot = name, .files = {}, .sets = {}}, data);
-    const robot::RobotSpec& robot = config.robot;
+    const robot::RobotSpec& robot = config.robots[0].spec;
     const config::RobotFile file = config::ReadRobotFile(name, data);
     const std::vector<std::string> revisions = file.RevisionNames();
     const std::vector<std::string> firmwares = file.FirmwareNames();
     const config::RobotVariant* firmware = file.FindFirmware(robot.firmware);
+    std::vector<std::string> cameras;
+    for (const robot::CameraSpec& camera : robot.cameras) cameras.push_back(camera.name);
     if (as_json) {
       list.push_back({{"name", name},
                       {"description", robot.description},
@@ -237,17 +257,21 @@ int RobotsCommand(bool as_json) {
                       {"wire", Family(robot.family)},
                       {"kind", Kind(robot.kind)},
                       {"apis", robot.apis},
+                      {"cameras", cameras},
                       {"mode_machine", robot.mode_machine},
                       {"revision", robot.revision},
                       {"revisions", revisions},
                       {"firmware", robot.firmware},
                       {"firmwares", firmwares},
+                      {"hands", robot.hand_make},
+                      {"hand_makes", robot.hand_makes},
                       {"lowstate_hz", robot.rates.lowstate_hz},
                       {"start", robot.default_start}});
     } else {
       std::printf("%-14s %2zu motors  %s  %4.0f Hz  %s%s\n", name.c_str(), robot.motors.size(),
                   Family(robot.family), robot.rates.lowstate_hz, robot.description.c_str(),
                   (Listed("--revision", revisions, robot.revision) +
+                   Listed("--hands", robot.hand_makes, robot.hand_make) +
                    Listed("firmware from", firmwares, firmware == nullptr ? "" : firmware->name))
                       .c_str());
     }
@@ -340,17 +364,17 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
 
   CLI::App* services =
       app->add_subcommand("services", "Print the apis of all services as Markdown");
-  services->footer("Example: understudy services > docs/services.md");
+  services->footer("Example: understudy services > docs/reference/services.md");
   services->callback([=] { *chosen = ServicesCommand; });
 
   CLI::App* faults = app->add_subcommand("faults", "Print all faults of components as Markdown");
-  faults->footer("Example: understudy faults > docs/faults.md");
+  faults->footer("Example: understudy faults > docs/reference/faults.md");
   faults->callback([=] { *chosen = FaultsCommand; });
 
   CLI::App* requests = app->add_subcommand(
       "requests", "Print all requests to a running robot as Markdown or for OpenAPI");
-  requests->add_flag("--openapi", *flag, "Print the paths of docs/openapi.yaml");
-  requests->footer("Example: understudy requests > docs/requests.md");
+  requests->add_flag("--openapi", *flag, "Print the paths of openapi.yaml");
+  requests->footer("Example: understudy requests > docs/reference/requests.md");
   requests->callback([=] { *chosen = [=] { return RequestsCommand(*flag); }; });
 }
 

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <vector>
 
 #include "base/nearest_word.h"
 #include "commands/command_path.h"
 #include "commands/commands.h"
+#include "config/data_dir.h"
+#include "config/robots.h"
 
 namespace understudy::commands {
 std::string MissingCommand(const CLI::App& app, int argc, const char* const* argv) {
@@ -26,6 +29,9 @@ std::string MissingCommand(const CLI::App& app, int argc, const char* const* arg
   if (words.empty()) return "";
   const std::string what = typed.empty() ? "a command is missing after `" + of + "`"
                                          : "no command '" + typed + "' of `" + of + "`";
+  if (path.size() == 1 && std::ranges::count(config::RobotNames(config::DataDir()), typed) > 0) {
+    return what + "; did you mean `understudy run " + typed + "`?";
+  }
   return what + DidYouMean(typed, words);
 }
 

@@ -5,8 +5,7 @@
 namespace understudy::commands {
 namespace {
 
-void RequireNoOtherInterface(const config::Config& config, const std::string& name) {
-  const std::string& chosen = config.network.interface;
+void RequireNoOtherInterface(const std::string& chosen, const std::string& name) {
   if (chosen == config::NetworkConfig{}.interface || chosen == name) return;
   throw ConfigError("network.interface: '" + chosen + "', and --interface-name makes '" + name +
                     "', the only one beside lo; leave one of them out");
@@ -60,8 +59,10 @@ RunNetwork::RunNetwork(const NetworkArguments& arguments, config::Config* config
     exec::EnterPrivateNetwork();
     return;
   }
-  RequireNoOtherInterface(*config, name);
-  config->network.interface = name;
+  for (config::RobotConfig& robot : config->robots) {
+    RequireNoOtherInterface(robot.network.interface, name);
+    robot.network.interface = name;
+  }
   cable_.emplace(arguments.program);
 }
 

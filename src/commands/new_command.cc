@@ -92,8 +92,9 @@ void CheckThatItFits(const fs::path& yaml) {
   const config::Config config = config::LoadConfig(
       {.robot = yaml.string(), .files = {}, .trees = {}, .sets = {}}, config::DataDir());
   const config::SceneFile scene("flat", {});
-  physics::LoadWorldModel({{.spec = config.robot, .file = config::ModelFile(config.robot)}},
-                          scene.path(), config.physics.timestep);
+  physics::LoadWorldModel(
+      {{.spec = config.robots[0].spec, .file = config::ModelFile(config.robots[0].spec)}},
+      scene.path(), config.physics.timestep);
 }
 
 int NewCommand(const NewArguments& arguments) {
@@ -111,8 +112,8 @@ int NewCommand(const NewArguments& arguments) {
                          .urdf = arguments.urdf,
                          .robot = mjcf::ReadUrdf(arguments.urdf),
                          .motors = {}};
-  robot.motors = config::MatchMotors(like.robot, robot.robot.joints);
-  const std::string unit = config::AddImuSite(like.robot, &robot.robot);
+  robot.motors = config::MatchMotors(like.robots[0].spec, robot.robot.joints);
+  const std::string unit = config::AddImuSite(like.robots[0].spec, &robot.robot);
   robot.robot.model.Set("model", robot.name);
 
   MakeRobotFolder(folder);
@@ -122,8 +123,9 @@ int NewCommand(const NewArguments& arguments) {
     CopyMeshes(robot.robot.meshes, folder);
     WriteFile(model, mjcf::IndentedMjcf(robot.robot.model, ModelComment(robot)));
     const mjcf::ModelHandle compiled = physics::LoadModelFile(model);
-    WriteFile(yaml, config::NewRobotYaml(robot, like.robot, *compiled, revisions));
-    WriteFile(scenario, config::NewScenarioYaml(robot, like.robot, yaml));
+    WriteFile(yaml, config::NewRobotYaml(robot, like.robots[0].spec, *compiled, revisions));
+    WriteFile(scenario,
+              config::NewScenarioYaml(robot, like.robots[0].spec, *compiled, yaml.filename()));
   } catch (const SetupError&) {
     std::error_code ignored;
     fs::remove_all(folder, ignored);  // which was not there before

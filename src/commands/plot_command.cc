@@ -111,10 +111,10 @@ int PlotCommand(PlotArguments arguments) {
   if (!arguments.whole && !arguments.part) {
     Trim(BusyIn(first, other, arguments.shift), &options.what);
   }
-  const std::filesystem::path picture = OutOf(arguments, ".png");
-  record::DrawPage(other != nullptr ? record::MakePage(first, *other, arguments.shift, options)
-                                    : record::MakePage(first, options),
-                   picture);
+  const std::filesystem::path picture = OutOf(arguments, ".svg");
+  record::WritePicture(other != nullptr ? record::MakePage(first, *other, arguments.shift, options)
+                                        : record::MakePage(first, options),
+                       picture);
   std::printf("%s\n", picture.c_str());
   return 0;
 }
@@ -133,8 +133,8 @@ void AddPlotCommand(CLI::App* app, Chosen* chosen) {
                             ->type_name("SECOND");
   CLI::Option* out =
       plot->add_option("--out", arguments->out,
-                       "Picture to write, .png or .svg, or table, .csv; replaces an existing one "
-                       "[FILE.png]")
+                       "Picture to write, .svg, or table, .csv; replaces an existing one "
+                       "[FILE.svg]")
           ->type_name("OUT");
   CLI::Option* csv =
       plot->add_flag("--csv", arguments->csv, "Write the numbers, not a picture: FILE.csv")
@@ -184,12 +184,11 @@ void AddPlotCommand(CLI::App* app, Chosen* chosen) {
       "what\n"
       "was commanded. A table has all motors unless told, a row for each time, units in its "
       "header.\n"
-      "Pictures need gnuplot: apt-get install gnuplot-nox.\n"
       "Examples:\n"
       "  understudy plot walk.mcap\n"
       "  understudy plot walk.mcap --out stand.svg --motors FR_thigh,FR_calf --from 1 --to 4\n"
       "  understudy plot walk.mcap --fields q,dq --signals 'rt/lowstate:imu_state.gyroscope[2]'\n"
-      "  understudy plot before.mcap after.mcap --out change.png\n"
+      "  understudy plot before.mcap after.mcap --out change.svg\n"
       "  understudy plot walk.mcap --csv --fields q,dq,tau         walk.csv");
   plot->callback([=] {
     if (size->count() > 0 && IsTable(*arguments)) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/printed.h"
 #include "commands/commands.h"
 #include "record/player.h"
 #include "record/recording_reader.h"
@@ -40,16 +41,9 @@ ordered_json Describe(const record::RecordingReader& reader) {
           {"attachments", attachments}};
 }
 
-// Replaces control characters by '?', as the texts of a file may contain any.
-std::string Harmless(std::string text) {
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
-  return text;
-}
-
 // Returns a text of the JSON, "" if there is none.
 std::string TextOf(const ordered_json& object, const char* key) {
-  return Harmless(object.value(key, ""));
+  return Printable(object.value(key, ""));
 }
 
 int RecordingCommand(const std::string& file, bool as_json) {

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "base/files.h"
-#include "commands/companion.h"
+#include "exec/companion_file.h"
 
 namespace understudy::commands {
 namespace {
@@ -26,19 +26,29 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostPictures = 4;
 constexpr char kSize[] = "480x300";
 
+struct Instant {
+  double at = 0;          // s
+  std::size_t robot = 0;  // its number
+};
+
 // The instants that decided, each once, ascending.
-std::vector<double> InstantsOf(const rehearse::Judged& judged) {
-  std::vector<double> instants;
+std::vector<Instant> InstantsOf(const rehearse::Expectations& expect,
+                                const rehearse::Judged& judged) {
+  std::vector<Instant> instants;
   for (const auto outcome : {judge::Outcome::kFailed, judge::Outcome::kPassed}) {
-    for (const rehearse::Ruling& ruling : judged.rulings) {
+    for (std::size_t i = 0; i < judged.rulings.size(); ++i) {
+      const rehearse::Ruling& ruling = judged.rulings[i];
       if (ruling.verdict.outcome != outcome || !ruling.why.empty()) continue;
       const double at = rehearse::SecondsOf(ruling.verdict.worth.at);
-      const bool known = std::ranges::any_of(
-          instants, [at](double other) { return std::abs(at - other) < rehearse::kPicturesApart; });
-      if (!known && instants.size() < kMostPictures) instants.push_back(at);
+      const bool known = std::ranges::any_of(instants, [at](const Instant& other) {
+        return std::abs(at - other.at) < rehearse::kPicturesApart;
+      });
+      if (known || instants.size() == kMostPictures) continue;
+      const std::size_t signal = expect.list[i].signals.front();
+      instants.push_back({.at = at, .robot = expect.signals[signal].robot});
     }
   }
-  std::ranges::sort(instants);
+  std::ranges::sort(instants, std::ranges::less(), &Instant::at);
   return instants;
 }
 
@@ -71,18 +81,19 @@ std::string Digits(double number) {
 
 }  // namespace
 
-rehearse::Pictures DrawPictures(const rehearse::Judged& judged, const fs::path& recording,
-                                const fs::path& folder) {
+rehearse::Pictures DrawPictures(const rehearse::Expectations& expect,
+                                const rehearse::Judged& judged,
+                                const std::vector<fs::path>& recordings, const fs::path& folder) {
   rehearse::Pictures pictures;
-  const fs::path viewer = CompanionFile("understudy-view");
+  const fs::path viewer = exec::CompanionFile("understudy-view");
   std::error_code ignored;
   if (!fs::exists(viewer, ignored)) {
     pictures.why_not = "understudy-view, which draws them, is not installed";
     return pictures;
   }
   const fs::path file = folder / "picture.png";
-  for (const double at : InstantsOf(judged)) {
-    const bool drawn = Succeeds({viewer, "picture", file, "--recording", recording, "--at",
+  for (const auto& [at, robot] : InstantsOf(expect, judged)) {
+    const bool drawn = Succeeds({viewer, "picture", file, "--recording", recordings[robot], "--at",
                                  Digits(std::min(at, judged.end)), "--size", kSize, "--overwrite"});
     if (!drawn) {
       pictures.why_not = "understudy picture could not draw the recording";

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "rehearse/judged.h"
 #include "rehearse/outputs.h"
 
 namespace understudy::commands {
 
-// Draws the robot at the instants that decided, those of failures first, by `understudy picture`.
-// Where that cannot be done, the result says why. `folder` gets the pictures for a moment.
-rehearse::Pictures DrawPictures(const rehearse::Judged& judged,
-                                const std::filesystem::path& recording,
+// Draws the robot at the instants that decided, those of failures first, by `understudy picture`:
+// of several robots the first that an expectation names. Where that cannot be done, the result says
+// why. `recordings` are by number of the robot; `folder` gets the pictures for a moment.
+rehearse::Pictures DrawPictures(const rehearse::Expectations& expect,
+                                const rehearse::Judged& judged,
+                                const std::vector<std::filesystem::path>& recordings,
                                 const std::filesystem::path& folder);
 
 }  // namespace understudy::commands

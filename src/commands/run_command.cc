@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <deque>
 #include <filesystem>
@@ -9,34 +10,36 @@
 
 #include "base/errors.h"
 #include "base/signals.h"
-#include "client/control_folder.h"
-#include "client/listening_socket.h"
+#include "bus/interfaces.h"
 #include "commands/browser.h"
+#include "commands/clock_options.h"
 #include "commands/commands.h"
 #include "commands/companion.h"
+#include "commands/control_place.h"
 #include "commands/detach.h"
 #include "commands/log.h"
 #include "commands/network_options.h"
-#include "commands/panel_memory.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/reference.h"
 #include "exec/child_process.h"
 #include "exec/program_output.h"
+#include "exec/robot_address.h"
 #include "remote/arguments.h"
 #include "run/run.h"
 #include "script/script.h"
-#include "server/panel_socket.h"
 #include "time/pace.h"
 #include "viewer/arguments.h"
 
 namespace understudy::commands {
 namespace {
 
+constexpr std::size_t kMostRobots = 16;  // *assumed*: the numbers of requests and events hold 255
+
 // The command line of a run.
 struct RunArguments : SetArguments {
-  std::string robot;
+  std::vector<std::string> robots;
   std::string name;
   std::string script;
   bool view = false;
@@ -50,16 +53,21 @@ struct RunArguments : SetArguments {
   bool gamepad = false;
   bool detach = false;
   bool open = false;
+  bool as_robot = false;
   // exec only
   NetworkArguments network;
+  ClockArguments clock;
   std::vector<std::string> command;
 };
 
 void AddRunOptions(CLI::App* app, RunArguments* arguments) {
-  // Short forms of --set.
-  app->add_option("robot", arguments->robot, "A robot's name (see `understudy robots`) or its YAML")
+  app->add_option(
+         "robot", arguments->robots,
+         "A robot's name (see `understudy robots`) or its YAML; several, or a YAML file of "
+         "several, share a world (docs/reference/several.md)")
       ->required()
       ->type_name("ROBOT");
+  // Short forms of --set.
   AddShortOption(app, arguments, "--interface", "network.interface", "NAME",
                  "Network interface [lo]");
   AddShortOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
@@ -70,6 +78,10 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
       ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
   AddShortOption(app, arguments, "--revision", "robot.revision", "NAME",
                  "Hardware revision, as `understudy robots` lists them [the robot's default]");
+  AddShortOption(
+      app, arguments, "--hands", "robot.hand_make", "NAME",
+      "Hands, as `understudy robots` lists them: NAME, left:NAME, right:NAME, or none [the "
+      "robot's default]");
   AddShortOption(app, arguments, "--dynamics", "robot.dynamics.use", "WHOSE",
                  "Joint friction, damping and armature: catalogue, as in the model's file, or "
                  "fitted to real robots [as the robot's file says; with --model catalogue]");
@@ -126,7 +138,8 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
 }
 
 config::Config Load(const RunArguments& arguments) {
-  return config::LoadConfig({.robot = arguments.robot,
+  return config::LoadConfig({.robot = arguments.robots.front(),
+                             .others = {arguments.robots.begin() + 1, arguments.robots.end()},
                              .files = arguments.config_files,
                              .sets = arguments.sets,
                              .typed = arguments.typed},
@@ -135,39 +148,13 @@ config::Config Load(const RunArguments& arguments) {
 
 script::Script LoadScript(const RunArguments& arguments, const config::Config& config) {
   if (arguments.script.empty()) return {};
-  signals::Names names = signals::RunningNames(config.robot);
-  names.program = !arguments.command.empty();
-  return script::LoadScript(arguments.script, names);
-}
-
-// Throws SocketError if the configured address or port cannot be had. With the defaults it returns
-// null instead and sets `missing` to the reason, as the panel is optional then.
-std::unique_ptr<server::PanelSocket> MakePanelSocket(const config::ControlConfig& config,
-                                                     std::string* missing,
-                                                     const server::PanelPlace& before = {}) {
-  if (!config.panel) return nullptr;
-  try {
-    return std::make_unique<server::PanelSocket>(config.address, config.port, before);
-  } catch (const SocketError& error) {
-    if (config.port != 0 || config.address != config::ControlConfig{}.address) throw;
-    *missing = error.what();
-    return nullptr;
+  std::vector<signals::Names> names;
+  for (const config::RobotConfig& robot : config.robots) {
+    signals::Names& one = names.emplace_back(signals::RunningNames(robot.spec));
+    one.program = !arguments.command.empty();
+    one.robot = robot.name;
   }
-}
-
-// The panel of a run: where the last robot of that name had it, so that a tab that is still open
-// finds this one. Where others can reach it, each run has a token of its own.
-std::unique_ptr<server::PanelSocket> MakeLastingPanelSocket(const RunArguments& arguments,
-                                                            const config::Config& config,
-                                                            std::string* missing) {
-  if (config.control.address != config::ControlConfig{}.address) {
-    return MakePanelSocket(config.control, missing);
-  }
-  const std::filesystem::path file =
-      PanelMemoryFile(arguments.name.empty() ? config.robot.name : arguments.name);
-  auto panel = MakePanelSocket(config.control, missing, RecallPanel(file));
-  if (panel) RememberPanel(file, {.port = panel->port(), .token = panel->token()});
-  return panel;
+  return script::LoadScript(arguments.script, signals::Joined(std::move(names)));
 }
 
 void SayWhatIsMissing(const std::string& panel) {
@@ -194,28 +181,19 @@ std::deque<CompanionProcess> CompanionsOf(const RunArguments& arguments,
   return companions;
 }
 
-// The name by which `ctl` finds the robot of this process.
-std::string NameOf(const RunArguments& arguments, const config::Config& config) {
-  return arguments.name.empty() ? client::DefaultName(config.robot.name) : arguments.name;
-}
-
-// The folder of the control socket, for as long as the run.
-class ControlPlace {
- public:
-  ControlPlace(const RunArguments& arguments, const config::Config& config)
-      : folder_(client::ControlFolder()),
-        socket_(client::ControlSocket(NameOf(arguments, config))) {
-    client::MakeControlFolder(folder_);
+// The card that gets the robot's address. Throws ConfigError and BusError.
+std::string CardOf(const config::Config& config) {
+  if (config.robots.size() > 1) {
+    throw ConfigError("--as-robot: there are several robots, and the address is of one");
   }
-  ~ControlPlace() { client::RemoveControlFolder(folder_); }
-  ControlPlace(const ControlPlace&) = delete;
-  ControlPlace& operator=(const ControlPlace&) = delete;
-
-  const std::filesystem::path& socket() const { return socket_; }
-
- private:
-  std::filesystem::path folder_, socket_;
-};
+  const std::string& interface = config.robots.front().network.interface;
+  if (interface == config::NetworkConfig{}.interface) {
+    throw ConfigError("network.interface: '" + interface +
+                      "', and --as-robot needs the card that the program's computer is at, as in "
+                      "--interface eth0");
+  }
+  return bus::FindCard(interface).name;
+}
 
 // Throw SetupError. ExecCommand returns the exit code of the command.
 int RunCommand(const RunArguments& arguments) {
@@ -232,23 +210,26 @@ int RunCommand(const RunArguments& arguments) {
   options.script = LoadScript(arguments, config);
   options.recording = RecordingOf(arguments);
   std::optional<Background> background;
-  if (arguments.detach) background.emplace(Detach([&] { return NameOf(arguments, config); }));
+  if (arguments.detach) {
+    background.emplace(
+        Detach([&] { return ControlName(arguments.name, config, config.robots.front()); }));
+  }
   if (background) options.log = background->log();
-  const ControlPlace place(arguments, config);
-  options.control_socket = place.socket();
-  std::string missing;
-  const auto panel = MakeLastingPanelSocket(arguments, config, &missing);
-  options.panel = panel.get();
+  ControlPlace place(arguments.name, config);
+  place.AddPanels(config);
+  options.access = place.access();
   options.status_line = !arguments.json && isatty(STDERR_FILENO) == 1;
-  std::deque<CompanionProcess> companions = CompanionsOf(arguments, options.control_socket);
+  std::deque<CompanionProcess> companions = CompanionsOf(arguments, place.socket());
   StartLog({.level = arguments.log_level.empty() ? "info" : arguments.log_level,
             .json = arguments.json,
             .status_line = options.status_line});
-  SayWhatIsMissing(missing);
+  SayWhatIsMissing(place.missing());
   CatchStopSignals();
+  std::optional<exec::RobotAddress> address;
+  if (arguments.as_robot) address.emplace(CardOf(config));
   std::optional<Browser> browser;
   if (arguments.open) {
-    browser.emplace(std::filesystem::path(options.control_socket).replace_extension(".html"));
+    browser.emplace(std::filesystem::path(place.socket()).replace_extension(".html"));
   }
   options.on_ready = [&](const std::string& url) {
     for (CompanionProcess& companion : companions) companion.Release();
@@ -260,45 +241,53 @@ int RunCommand(const RunArguments& arguments) {
     if (browser) browser->Watch();
     return StopSignal() != 0;
   };
-  return static_cast<int>(run::RunRobot(config, options));
+  return static_cast<int>(run::RunWorld(config, options));
 }
 
 int ExecCommand(const RunArguments& arguments) {
   if (arguments.help_config || arguments.print_config) return RunCommand(arguments);
+  std::optional<SimulatedClock> clock;
+  if (arguments.clock.simulated()) clock.emplace(arguments.command, arguments.clock.think);
   config::Config config = Load(arguments);
   run::RunOptions options;
   options.script = LoadScript(arguments, config);
-  // The panel listens in the machine's network, where the browser is.
-  std::string missing;
-  const auto panel = MakePanelSocket(config.control, &missing);
-  options.panel = panel.get();
   options.recording = RecordingOf(arguments);
-  const ControlPlace place(arguments, config);
+  // The panels listen in the machine's network, where the browser is.
+  ControlPlace place(arguments.name, config);
+  place.AddPanels(config);
+  options.access = place.access();
   const std::filesystem::path& control = place.socket();
   RunNetwork network(arguments.network, &config);
   options.private_network = network.is_private();
+
+  exec::ChildProcess::Environment environment = place.environment();
+  if (clock) {
+    clock->Start(config.time.realtime);
+    clock->AddTo(&environment);
+    options.programs = clock->coordinator();
+  }
 
   // The command is forked before any thread exists and waits until the robot is ready.
   const std::vector<std::string> printed = signals::PrintedTexts(options.script.conditions.signals);
   std::optional<exec::ProgramOutput> output;
   if (!printed.empty()) output.emplace(printed);
-  exec::ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}}, -1,
-                           output ? output->descriptor() : -1, network.program_rights());
+  exec::ChildProcess child(arguments.command, environment, -1, output ? output->descriptor() : -1,
+                           network.program_rights());
   network.Settle();
   std::deque<CompanionProcess> companions = CompanionsOf(arguments, control);
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
             .json = arguments.json,
             .status_line = false});
-  SayWhatIsMissing(missing);
+  SayWhatIsMissing(place.missing());
   CatchStopSignals();
   // The command starts when the robot is ready; its end ends the run.
   constexpr std::chrono::milliseconds kGrace(500);
   std::optional<int> code;
   bool terminating = false;
-  options.control_socket = control;
   options.on_ready = [&](const std::string&) {
     if (output) output->Start();
     child.Release();
+    if (clock) clock->coordinator()->ProgramStarts();
     for (CompanionProcess& companion : companions) companion.Release();
   };
   options.should_stop = [&](std::int64_t, emulator::EventRing* events) {
@@ -308,24 +297,45 @@ int ExecCommand(const RunArguments& arguments) {
         events->Add(emulator::EventKind::kProgramPrints, 0, {}, text);
       });
     }
-    if (StopSignal() != 0 && !terminating) {
+    const bool off_clock = clock && clock->coordinator()->program_is_missing();
+    if ((StopSignal() != 0 || off_clock) && !terminating) {
       terminating = true;
       child.Terminate(kGrace);  // the robot runs until the command has ended
     }
     code = child.Poll();
     return code.has_value();
   };
-  const ExitCode robot = run::RunRobot(config, options);
+  const ExitCode robot = run::RunWorld(config, options);
   if (!code) {
     child.Terminate(kGrace);
     code = child.Wait();
   }
+  if (clock) clock->RequireProgram(arguments.command);
   return robot == ExitCode::kOk ? *code : static_cast<int>(robot);
+}
+
+void RequireFewRobots(const std::vector<std::string>& robots) {
+  if (robots.size() <= kMostRobots) return;
+  throw CLI::ValidationError("robot", "expected " + std::to_string(kMostRobots) + " at most, got " +
+                                          std::to_string(robots.size()));
+}
+
+// CLI11 gives the robots all words. Those after -- are the command; without it, those after the
+// first.
+void SplitCommand(std::size_t after_dashes, RunArguments* arguments) {
+  std::vector<std::string>& words = arguments->robots;
+  const std::size_t robots =
+      after_dashes > 0 ? words.size() - std::min(after_dashes, words.size()) : 1;
+  if (robots == 0) throw CLI::RequiredError("robot");
+  if (robots >= words.size()) throw CLI::RequiredError("command");
+  const auto command = words.begin() + static_cast<std::ptrdiff_t>(robots);
+  arguments->command.assign(command, words.end());
+  words.erase(command, words.end());
 }
 
 }  // namespace
 
-void AddRunCommands(CLI::App* app, Chosen* chosen) {
+void AddRunCommands(CLI::App* app, Chosen* chosen, const std::size_t* after_dashes) {
   const auto run_arguments = std::make_shared<RunArguments>();
   CLI::App* run = app->add_subcommand("run", "Simulate a robot on the network until Ctrl-C");
   AddRunOptions(run, run_arguments.get());
@@ -337,6 +347,9 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
   run->add_flag(
       "--detach", run_arguments->detach,
       "Return when the robot is ready and let it run in the background; see ctl log, ctl stop");
+  run->add_flag("--as-robot", run_arguments->as_robot,
+                "Give the interface the robot's address, 192.168.123.161, until the run ends; as "
+                "root, for a program on another computer");
   run->footer(
       "Examples:\n"
       "  understudy run go2                        a Go2, which stands up, on lo and domain 0\n"
@@ -347,21 +360,26 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
       "  understudy run go2 --detach               in the background; ctl log --follow, ctl stop\n"
       "  understudy run go2 --view                 with a window to look at it and push it\n"
       "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
+      "  understudy run go2 --interface eth0 --as-robot   for the computer at that card's cable\n"
       "  understudy run go2 --record walk.mcap     all topics, truth and events: "
       "docs/recording.md\n"
       "  understudy run go2 --scene rough --set terrain.difficulty=0.7\n"
+      "Robots named together share a world, on domains 0, 1 ...: docs/reference/several.md\n"
       "In another terminal: understudy ctl status --watch");
-  run->callback([=] { *chosen = [=] { return RunCommand(*run_arguments); }; });
+  run->callback([=] {
+    RequireFewRobots(run_arguments->robots);
+    *chosen = [=] { return RunCommand(*run_arguments); };
+  });
 
   const auto exec_arguments = std::make_shared<RunArguments>();
   CLI::App* exec = app->add_subcommand(
       "exec", "Simulate a robot in a private network, run a command with it, exit with its code");
   AddRunOptions(exec, exec_arguments.get());
   AddNetworkOptions(exec, &exec_arguments->network);
+  AddClockOptions(exec, &exec_arguments->clock);
   exec->get_option("--interface-name")->excludes(exec->get_option("--interface"));
   exec->add_option("command", exec_arguments->command, "The command and its arguments, after --")
-      ->type_name("CMD...")
-      ->required();
+      ->type_name("CMD...");
   exec->footer(
       "The command starts after the first LowState and finds the robot on domain 0 and lo.\n"
       "Many programs take lo for a simulation and omit what they do on a robot, or have the\n"
@@ -373,10 +391,18 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
       "  understudy exec go2 -- python3 go2_stand_example.py lo\n"
       "  understudy exec go2 --interface-name eth0 -- python3 go2_stand_example.py eth0\n"
       "  understudy exec g1 --start clamped -- ./g1_ankle_swing_example lo\n"
+      "  understudy exec go2 --clock simulated -- python3 walk.py lo     docs/clock.md\n"
+      "Robots named together share a world, on domains 0, 1 ...: docs/reference/several.md\n"
       "Exits with the command's code, 128+n if signal n ended it, 126 or 127 if it could not\n"
       "be run, or with one of Understudy's codes if the robot could not be started.");
   exec->callback([=] {
     RequireConsistent(exec_arguments->network);
+    RequireConsistent(exec_arguments->clock, exec_arguments->network);
+    if (exec_arguments->clock.simulated()) {  // unless --speed says otherwise
+      exec_arguments->sets.insert(exec_arguments->sets.begin(), "time.speed=0");
+    }
+    SplitCommand(*after_dashes, exec_arguments.get());
+    RequireFewRobots(exec_arguments->robots);
     *chosen = [=] { return ExecCommand(*exec_arguments); };
   });
 }

@@ -19,6 +19,7 @@ namespace understudy::config {
 struct NetworkConfig {
   std::string interface = "lo";
   int domain = 0;
+  std::string partition;  // of DDS, in which all topics are; "" is the usual one
 };
 
 // What to do when another robot publishes on this network after the start. kWarn also lets a run
@@ -41,7 +42,7 @@ struct TimeConfig {
 struct ControlConfig {
   bool panel = true;
   std::string address = "127.0.0.1";
-  int port = 0;  // 0: the first free port from 7707 up
+  int port = 0;  // 0: 7707 + domain, or the next free one above
 };
 
 enum class DivergenceAction { kStop, kReset };
@@ -61,24 +62,36 @@ struct StartConfig {
   bool boot = false;           // begins at the power switch
 };
 
-struct Config {
+// Of one robot.
+struct RobotConfig {
+  std::string name;     // in its world; as spec.name if it is alone
   std::string profile;  // of the sensors: a name in config/profiles
   NetworkConfig network;
-  GuardConfig guard;
-  ControlConfig control;
-  TimeConfig time;
-  RecordingConfig recording;
-  PhysicsConfig physics;
   sensors::SensorConfig sensors;
   authority::GateConfig gate;
   authority::MotionConfig motion;
   physics::CraneConfig crane;
   StartConfig start;
   std::vector<robot::PlannedFault> faults;
+  robot::RobotSpec spec;
+};
+
+// Of a world and its robots, one or more.
+struct Config {
+  // Before the names of a robot's bodies, joints and sites in the world's model; "" if it is alone.
+  std::string PrefixOf(const RobotConfig& robot) const {
+    return robots.size() == 1 ? "" : robot.name + "/";
+  }
+
+  GuardConfig guard;
+  ControlConfig control;
+  TimeConfig time;
+  RecordingConfig recording;
+  PhysicsConfig physics;
   std::string scene = "flat";  // a kind of terrain, "row", a name in models/scene or a path
   terrain::TerrainSpec terrain;
   robot::RandomizationSpec randomization;
-  robot::RobotSpec robot;
+  std::vector<RobotConfig> robots = std::vector<RobotConfig>(1);
 };
 
 }  // namespace understudy::config

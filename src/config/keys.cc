@@ -15,6 +15,9 @@ void DescribeNetwork(Archive& a, NetworkConfig& c) {
   a.Key(UNDERSTUDY_NVP(c.interface), {"Network interface for DDS; lo stays on this machine"});
   a.Key(UNDERSTUDY_NVP(c.domain),
         {"", {0, 232}, "DDS domain; robots and the vendor's programs use 0"});
+  a.Key(UNDERSTUDY_NVP(c.partition),
+        {"DDS partition of all topics; programs must name it too; \"\" is the one that they have "
+         "without"});
 }
 
 void DescribeGuard(Archive& a, GuardConfig& c) {
@@ -37,7 +40,7 @@ void DescribeControl(Archive& a, ControlConfig& c) {
         {"IP address to serve it on; others than this machine's own can reach the robot "
          "on any but 127.0.0.1 and ::1"});
   a.Key(UNDERSTUDY_NVP(c.port),
-        {"", {0, 65535}, "TCP port; 0 is the first free one from 7707 up (assumed)"});
+        {"", {0, 65535}, "TCP port; 0 is 7707 + `domain`, or the next free one above (assumed)"});
 }
 
 void DescribeTime(Archive& a, TimeConfig& c) {
@@ -113,18 +116,77 @@ void DescribeStart(Archive& a, StartConfig& c) {
 void DescribeFault(Archive& a, robot::PlannedFault& f) {
   static const emulator::RequestRow& row = **emulator::FindRequest("fault");
   const auto about = [](std::string_view key) {
-    const emulator::Field& field = *std::ranges::find(row.fields, key, &emulator::Field::key);
-    return About(field.unit, {field.low, field.high}, field.does);
+    const schema::Field& field = *std::ranges::find(row.fields, key, &schema::Field::key);
+    return About(field.unit, field.range, field.does);
   };
   static const std::vector<std::string> kinds(std::next(robot::FaultNames().begin()),
                                               robot::FaultNames().end());
-  a.Key(UNDERSTUDY_NVP(f.component), {"What has it, by its name in docs/faults.md"});
+  a.Key(UNDERSTUDY_NVP(f.component), {"What has it, by its name in docs/reference/faults.md"});
   a.Word(UNDERSTUDY_NVP(f.fault), {"What is wrong with it"}, kinds);
   a.Key(UNDERSTUDY_NVP(f.by), about("by"));
   a.Key(UNDERSTUDY_NVP(f.at), {"s", {0, 1e6}, "Simulated time at which it begins"});
   a.Key(Named{"for", &f.times.lasts}, about("for"));
   a.Key(UNDERSTUDY_NVP(f.times.ramp), about("ramp"));
   a.Key(UNDERSTUDY_NVP(f.times.probability), about("probability"));
+}
+
+// The keys of a robot, of which those of the world stand in between.
+void DescribeProfile(Archive& a, RobotConfig& c) {
+  a.Key(UNDERSTUDY_NVP(c.profile),
+        {"How good the sensors are: a name in config/profiles, whose values of `sensors` lie below "
+         "all that --config and --set say; \"\" is nominal"});
+}
+
+void DescribeWhere(Archive& a, RobotConfig& c) {
+  a.Section(UNDERSTUDY_NVP(c.network), {"Where to speak"}, DescribeNetwork);
+}
+
+void DescribeRun(Archive& a, RobotConfig& c) {
+  a.Section(UNDERSTUDY_NVP(c.sensors),
+            {"How sensors err (docs/reference/sensors.md); the values of `profile` come before "
+             "others but those of the robot's file"},
+            DescribeSensors);
+  a.Section(UNDERSTUDY_NVP(c.gate), {"Which commands the motors follow"}, DescribeGate, "mode");
+  a.Section(UNDERSTUDY_NVP(c.motion), {"The robot's motion service"}, DescribeMotion, "service");
+  a.Section(UNDERSTUDY_NVP(c.crane), {"The tether a robot hangs from"}, DescribeCrane);
+  a.Section(UNDERSTUDY_NVP(c.start), {"How a run begins"}, DescribeStart);
+  a.List(UNDERSTUDY_NVP(c.faults),
+         {"What is wrong with the robot from the start or from some time on "
+          "(docs/reference/faults.md)"},
+         DescribeFault);
+}
+
+void DescribeSpec(Archive& a, RobotConfig& c) {
+  a.Section(Named{"robot", &c.spec},
+            {"Description of the robot; config/robots has one file per robot"}, Describe);
+}
+
+void DescribeWorld(Archive& a, Config& c) {
+  a.Section(UNDERSTUDY_NVP(c.guard), {"Protection of other robots on the network"}, DescribeGuard);
+  a.Section(UNDERSTUDY_NVP(c.control), {"The panel's address"}, DescribeControl);
+  a.Section(UNDERSTUDY_NVP(c.time), {"How time passes"}, DescribeTime);
+  a.Section(UNDERSTUDY_NVP(c.recording), {"What recordings have for ROS and viewers"},
+            DescribeRecording);
+  a.Section(UNDERSTUDY_NVP(c.physics), {"How physics is computed"}, DescribePhysics);
+}
+
+void DescribeChance(Archive& a, Config& c) {
+  a.Section(UNDERSTUDY_NVP(c.randomization),
+            {"Quantities drawn at random at the start, each from [least, most]; [] leaves it "
+             "(docs/reference/randomization.md)"},
+            DescribeRandomization);
+}
+
+void DescribeRobots(Archive& a, std::vector<RobotConfig>& robots) {
+  for (RobotConfig& robot : robots) {
+    a.Section(
+        Named{robot.name, &robot}, {"A robot"}, +[](Archive& one, RobotConfig& c) {
+          DescribeProfile(one, c);
+          DescribeWhere(one, c);
+          DescribeRun(one, c);
+          DescribeSpec(one, c);
+        });
+  }
 }
 
 }  // namespace
@@ -136,35 +198,25 @@ const std::vector<std::string>& StartPoses() {
 }
 
 void Describe(Archive& a, Config& c) {
-  a.Key(UNDERSTUDY_NVP(c.profile),
-        {"How good the sensors are: a name in config/profiles, whose values of `sensors` lie below "
-         "all that --config and --set say; \"\" is nominal"});
+  const bool alone = c.robots.size() == 1;
+  if (alone) DescribeProfile(a, c.robots[0]);
   DescribeScene(a, c);
-  a.Section(UNDERSTUDY_NVP(c.network), {"Where to speak"}, DescribeNetwork);
-  a.Section(UNDERSTUDY_NVP(c.guard), {"Protection of other robots on the network"}, DescribeGuard);
-  a.Section(UNDERSTUDY_NVP(c.control), {"The panel's address"}, DescribeControl);
-  a.Section(UNDERSTUDY_NVP(c.time), {"How time passes"}, DescribeTime);
-  a.Section(UNDERSTUDY_NVP(c.recording), {"What recordings have for ROS and viewers"},
-            DescribeRecording);
-  a.Section(UNDERSTUDY_NVP(c.physics), {"How physics is computed"}, DescribePhysics);
-  a.Section(
-      UNDERSTUDY_NVP(c.sensors),
-      {"How sensors err (docs/sensors.md); the values of `profile` come before others but those "
-       "of the robot's file"},
-      DescribeSensors);
-  a.Section(UNDERSTUDY_NVP(c.gate), {"Which commands the motors follow"}, DescribeGate, "mode");
-  a.Section(UNDERSTUDY_NVP(c.motion), {"The robot's motion service"}, DescribeMotion, "service");
-  a.Section(UNDERSTUDY_NVP(c.crane), {"The tether a robot hangs from"}, DescribeCrane);
-  a.Section(UNDERSTUDY_NVP(c.start), {"How a run begins"}, DescribeStart);
-  a.List(UNDERSTUDY_NVP(c.faults),
-         {"What is wrong with the robot from the start or from some time on (docs/faults.md)"},
-         DescribeFault);
-  a.Section(UNDERSTUDY_NVP(c.randomization),
-            {"Quantities drawn at random at the start, each from [least, most]; [] leaves it "
-             "(docs/randomization.md)"},
-            DescribeRandomization);
-  a.Section(UNDERSTUDY_NVP(c.robot),
-            {"Description of the robot; config/robots has one file per robot"}, Describe);
+  if (alone) DescribeWhere(a, c.robots[0]);
+  DescribeWorld(a, c);
+  if (alone) DescribeRun(a, c.robots[0]);
+  DescribeChance(a, c);
+  if (alone) {
+    DescribeSpec(a, c.robots[0]);
+  } else {
+    a.Section(UNDERSTUDY_NVP(c.robots),
+              {"The robots of the world, by name (docs/reference/several.md)"}, DescribeRobots);
+  }
+}
+
+const std::vector<std::string>& RobotConfigKeys() {
+  static const std::vector<std::string> kKeys = {"profile", "network", "sensors", "gate", "motion",
+                                                 "crane",   "start",   "faults",  "robot"};
+  return kKeys;
 }
 
 }  // namespace understudy::config

@@ -10,19 +10,28 @@
 #include "authority/onboard.h"
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "config/hand_choice.h"
 #include "config/keys.h"
-#include "config/printer.h"
 #include "config/profile.h"
-#include "config/reader.h"
+#include "config/reference.h"
 #include "config/robot_file.h"
-#include "config/setting_keys.h"
+#include "config/robots.h"
 #include "config/validate.h"
-#include "config/yaml_document.h"
 #include "robot/drop_motor.h"
 #include "robot/firmware.h"
+#include "schema/printer.h"
+#include "schema/yaml_document.h"
+#include "schema/yaml_reader.h"
 
 namespace understudy::config {
 namespace {
+
+using schema::MapOf;
+using schema::OneLine;
+using schema::ParseYaml;
+using schema::Printer;
+using schema::ReadYamlFile;
+using schema::YamlReader;
 
 // "robot.motors.3.slot=4" as the tree {robot: {motors: {3: {slot: 4}}}}. `where` is what its user
 // typed.
@@ -72,7 +81,7 @@ std::string LastScene(const std::vector<YamlValue>& trees) {
 void ReadSceneFile(const std::string& file, Config* config, Places* places) {
   config->scene = terrain::kPatchesScene;
   const YamlValue tree = ReadYamlFile(file);
-  Reader reader(tree, places);
+  YamlReader reader(tree, places);
   DescribeScene(reader, *config);
   reader.Finish();
   if (IsSceneFile(config->scene)) {
@@ -121,20 +130,21 @@ Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
   if (IsSceneFile(last)) ReadSceneFile(last, &config, places);
   const std::string scene = config.scene;
   for (const YamlValue& tree : trees) {
-    Reader reader(tree, places);
+    YamlReader reader(tree, places);
     Describe(reader, config);
     reader.Finish();
     // Removed after each layer, so that the next layer sees the motors of the printed
     // configuration. A layer that lists all motors, as a printed configuration does, must itself
     // leave out the locked ones.
-    LeaveOutLocked(&config.robot, &left_out);
+    LeaveOutLocked(&config.robots[0].spec, &left_out);
     const YamlValue* robot = tree.Find("robot");
     const YamlValue* motors = robot == nullptr ? nullptr : robot->Find("motors");
     if (motors != nullptr && motors->kind == YamlValue::Kind::kSequence) {
-      left_out.insert(config.robot.locked_joints.begin(), config.robot.locked_joints.end());
+      left_out.insert(config.robots[0].spec.locked_joints.begin(),
+                      config.robots[0].spec.locked_joints.end());
     }
   }
-  CheckLocked(config.robot, left_out, *places);
+  CheckLocked(config.robots[0].spec, left_out, *places);
   if (IsSceneFile(last)) config.scene = scene;
   return config;
 }
@@ -221,18 +231,26 @@ std::vector<YamlValue> ChosenFirmware(const RobotFile& file, const std::vector<Y
   return found == nullptr ? std::vector<YamlValue>() : found->trees;
 }
 
-}  // namespace
-
-Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
-  return LoadConfig(ReadRobotFile(layers.robot, data_dir), layers, data_dir);
+// The layer of the hands that the trees select; empty if they select none.
+std::vector<YamlValue> ChosenHands(const std::vector<YamlValue>& trees,
+                                   const std::filesystem::path& data_dir) {
+  const YamlValue* asked = LastOfRobot(trees, "hand_make");
+  if (asked == nullptr) return {};
+  std::vector<std::string> makes;
+  if (const YamlValue* list = LastOfRobot(trees, "hand_makes")) {
+    for (const YamlValue& make : list->items) makes.push_back(make.text);
+  }
+  return {HandsOf(*asked, makes, data_dir)};
 }
 
-Config LoadConfig(const RobotFile& file, const Layers& layers,
-                  const std::filesystem::path& data_dir) {
+// The configuration of one robot, alone in its world, of its file and the layers above.
+Config LoadAlone(const RobotFile& file, std::vector<YamlValue> layers,
+                 const std::filesystem::path& data_dir) {
   std::vector<YamlValue> trees = file.trees;
-  AddTrees(layers, &trees);
+  std::ranges::move(layers, std::back_inserter(trees));
   std::vector<YamlValue> chosen = ChosenRevision(file, trees, data_dir);
   std::ranges::move(ChosenFirmware(file, trees), std::back_inserter(chosen));
+  std::ranges::move(ChosenHands(trees, data_dir), std::back_inserter(chosen));
   std::size_t own = file.trees.size() + chosen.size();
   trees.insert(trees.begin() + static_cast<std::ptrdiff_t>(file.trees.size()), chosen.begin(),
                chosen.end());
@@ -240,13 +258,44 @@ Config LoadConfig(const RobotFile& file, const Layers& layers,
   if (!profile.empty()) ++own;
   Places places;
   Config config = ReadLayers(trees, &places);
-  config.profile = profile;
+  config.robots[0].profile = profile;
   if (LeavesJointsToAnotherModel(trees, own)) {
-    config.robot.dynamics.use = robot::DynamicsSource::kCatalogue;
+    config.robots[0].spec.dynamics.use = robot::DynamicsSource::kCatalogue;
   }
-  TakeLimitsOfTypes(&config.robot);
+  TakeLimitsOfTypes(&config.robots[0].spec);
+  config.robots[0].name = config.robots[0].spec.name;
   Validate(config, places);
   return config;
+}
+
+}  // namespace
+
+Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
+  std::vector<YamlValue> trees;
+  AddTrees(layers, &trees);
+  std::vector<std::string> named = layers.others;
+  if (!layers.robot.empty()) named.insert(named.begin(), layers.robot);
+  const std::vector<RobotLayers> robots = SplitByRobot(named, trees, data_dir);
+  if (robots.empty()) return LoadAlone(ReadRobotFile(layers.robot, data_dir), trees, data_dir);
+  Config config;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    Config one = LoadAlone(robots[i].file, robots[i].trees, data_dir);
+    Place(robots[i], i, &one.robots[0]);
+    if (i == 0) {
+      config = std::move(one);
+    } else {
+      config.robots.push_back(std::move(one.robots[0]));
+    }
+  }
+  RequireOwnNetworks(config.robots);
+  return config;
+}
+
+Config LoadConfig(const RobotFile& file, const Layers& layers,
+                  const std::filesystem::path& data_dir) {
+  std::vector<YamlValue> trees;
+  AddTrees(layers, &trees);
+  return LoadAlone(file, std::move(trees), data_dir);
 }
 
 Config LoadScene(const Layers& layers) {
@@ -272,15 +321,14 @@ emulator::WorldSettings WorldSettingsOf(const Config& config) {
           .keys = SettingKeys()};
 }
 
-std::string StartPoseOf(const Config& config) {
+std::string StartPoseOf(const RobotConfig& config) {
   if (!config.start.pose.empty()) return config.start.pose;
-  const bool released = authority::StartService(config.robot, config.motion).empty();
-  const bool stands = config.robot.default_start == "standing";
-  return stands && released && IsQuadruped(config.robot.kind) ? "lying"
-                                                              : config.robot.default_start;
+  const bool released = authority::StartService(config.spec, config.motion).empty();
+  const bool stands = config.spec.default_start == "standing";
+  return stands && released && IsQuadruped(config.spec.kind) ? "lying" : config.spec.default_start;
 }
 
-emulator::RobotSettings RobotSettingsOf(const Config& config) {
+emulator::RobotSettings RobotSettingsOf(const RobotConfig& config) {
   const std::string pose = StartPoseOf(config);
   return {.sensors = config.sensors,
           .gate = config.gate,
@@ -289,6 +337,19 @@ emulator::RobotSettings RobotSettingsOf(const Config& config) {
           .start = robot::FindStartPose(pose).value_or(robot::StartPose::kLying),
           .boot = config.start.boot,
           .faults = config.faults};
+}
+
+void TakeSettings(const emulator::WorldSettings& settings, Config* config) {
+  config->physics.on_divergence =
+      settings.reset_on_divergence ? DivergenceAction::kReset : DivergenceAction::kStop;
+  config->terrain.friction = settings.ground_friction;
+}
+
+void TakeSettings(const emulator::RobotSettings& settings, RobotConfig* config) {
+  config->sensors = settings.sensors;
+  config->gate = settings.gate;
+  config->motion = settings.motion;
+  config->crane = settings.crane;
 }
 
 }  // namespace understudy::config

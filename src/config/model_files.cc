@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <system_error>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
@@ -32,6 +31,14 @@ std::filesystem::path FindFile(const std::string& scene) {
 
 std::filesystem::path ModelFile(const robot::RobotSpec& robot) {
   return DataDir() / "models" / robot.model;  // an absolute path replaces what is before it
+}
+
+std::vector<std::filesystem::path> HandModelFiles(const robot::RobotSpec& robot) {
+  std::vector<std::filesystem::path> files;
+  for (const robot::HandSpec& hand : robot.hands) {
+    for (const std::string& model : hand.models) files.push_back(DataDir() / "models" / model);
+  }
+  return files;
 }
 
 SceneFile::SceneFile(const std::string& scene, const terrain::TerrainSpec& terrain) {

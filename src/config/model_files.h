@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/temporary_folder.h"
 #include "robot/robot_spec.h"
@@ -14,6 +15,9 @@ namespace understudy::config {
 // Returns the robot's MJCF file: robot.model below the data directory's models, or robot.model
 // itself if it is absolute.
 std::filesystem::path ModelFile(const robot::RobotSpec& robot);
+
+// Returns the MJCF files of its hands, found in the same way.
+std::vector<std::filesystem::path> HandModelFiles(const robot::RobotSpec& robot);
 
 // The MJCF file of a scene. Generated ground is in a temporary folder that this object owns and
 // removes.

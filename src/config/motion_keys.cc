@@ -5,10 +5,20 @@
 namespace understudy::config {
 namespace {
 
+void DescribeSteps(Archive& a, robot::StepSpec& s) {
+  a.Key(UNDERSTUDY_NVP(s.time),
+        {"s", {0, 1}, "Time of a step; 0 is 0.32 s, longer by the root of the robot's height"});
+  a.Key(UNDERSTUDY_NVP(s.foot_raise), {"m", {0, 0.3}, "How far a swinging foot is lifted"});
+  a.Key(UNDERSTUDY_NVP(s.least_speed),
+        {"m/s, m/s, rad/s", {-3, 0}, "Lower limits of a command: forward, left, turn"});
+  a.Key(UNDERSTUDY_NVP(s.most_speed), {"m/s, m/s, rad/s", {0, 3}, "Most of these"});
+}
+
 void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
   constexpr Range kId{-1, 1000};
   a.Key(UNDERSTUDY_NVP(h.lock_stand), {"", kId, "State with joints locked, standing"});
-  a.Key(UNDERSTUDY_NVP(h.balance), {"", kId, "States that stand balanced, the usual one first"});
+  a.Key(UNDERSTUDY_NVP(h.balance),
+        {"", kId, "States that stand balanced and walk, the usual one first"});
   a.Key(UNDERSTUDY_NVP(h.arms_balance),
         {"", kId,
          "State that it tells in place of the first of balance while rt/arm_sdk has a "
@@ -20,6 +30,10 @@ void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
       {"", kId, "State that it tells in place of damping while its protection damps; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.balanced_squat),
         {"", kId, "State that squats and rises again while balancing; -1 is none"});
+  a.Key(UNDERSTUDY_NVP(h.walk),
+        {"", kId,
+         "States in which the controller policy walks; with another controller they are not "
+         "simulated, unless balance has them"});
   a.Key(UNDERSTUDY_NVP(h.unplayed),
         {"", kId, "States that the real robot has and that are not simulated"});
   a.Key(UNDERSTUDY_NVP(h.squat_q), {"rad", {-10, 10}, "Joint angles of the squat in motor order"});
@@ -27,11 +41,13 @@ void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
   a.Key(UNDERSTUDY_NVP(h.stand_heights),
         {"Whether it follows a request for a stand height; else it answers 0 and stays as it is"});
   a.Key(UNDERSTUDY_NVP(h.arm_actions), {"Whether arms wave, shake hands and so on"});
+  a.Section(UNDERSTUDY_NVP(h.steps), {"How it walks"}, DescribeSteps);
 }
 
 void DescribeWalk(Archive& a, robot::WalkSpec& w) {
   a.Key(UNDERSTUDY_NVP(w.period), {"s", {0.1, 2}, "Stride at rest and at the most speed forwards"});
-  a.Key(UNDERSTUDY_NVP(w.duty), {"", {0.5, 0.9}, "Part of it that a foot stands, likewise"});
+  a.Key(UNDERSTUDY_NVP(w.duty),
+        {"", {0.5, 0.9}, "Part of the stride that a foot stands, at rest and at the most speed"});
   a.Key(UNDERSTUDY_NVP(w.foot_raise), {"m", {0, 0.5}, "How far a swinging foot is lifted"});
   a.Key(UNDERSTUDY_NVP(w.friction), {"", {0.05, 2}, "Friction of the ground that it counts on"});
   a.Key(UNDERSTUDY_NVP(w.least_speed),
@@ -40,7 +56,8 @@ void DescribeWalk(Archive& a, robot::WalkSpec& w) {
   a.Key(UNDERSTUDY_NVP(w.dead_band),
         {"m/s, m/s, rad/s", {0, 1}, "Dead zone: a command within all of these counts as zero"});
   a.Key(UNDERSTUDY_NVP(w.gain), {"", {0, 2}, "Velocity over the command, forward, left, turn"});
-  a.Key(UNDERSTUDY_NVP(w.time_constant), {"s", {0.01, 5}, "In which it follows, likewise"});
+  a.Key(UNDERSTUDY_NVP(w.time_constant),
+        {"s", {0.01, 5}, "Time constant of its response, forward, left, turn"});
   a.Key(UNDERSTUDY_NVP(w.dead_time), {"s", {0, 0.25}, "Until it begins to"});
   a.Key(UNDERSTUDY_NVP(w.turn_scrub),
         {"", {0.5, 5}, "Speed of wheels in a turn over that of rolling without slip"});

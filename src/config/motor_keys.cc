@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "config/keys.h"
+#include "robot/hand_law.h"
 
 namespace understudy::config {
 namespace {
@@ -59,6 +60,13 @@ void DescribeHandMotor(Archive& a, robot::MotorSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.joint), {"Joint of the model that it drives"});
   DescribeDrive(a, m);
   a.Key(UNDERSTUDY_NVP(m.lock_kd), {"N·m·s/rad", {0, 100}, "Damping gain while it is locked"});
+  a.Key(UNDERSTUDY_NVP(m.span),
+        {"rad",
+         {-10, 10},
+         "Angle of the joint where q of the messages is 0, and where it is 1; [0, 0] makes q the "
+         "angle"});
+  a.Key(UNDERSTUDY_NVP(m.hold_kp), {"N·m/rad", kNotNegative, "Gain of the hand's own controller"});
+  a.Key(UNDERSTUDY_NVP(m.hold_kd), {"N·m·s/rad", kNotNegative, "Damping of that controller"});
 }
 
 void DescribePad(Archive& a, robot::PadSpec& p) {
@@ -90,7 +98,7 @@ void DescribeMotorType(Archive& a, robot::MotorTypeSpec& t) {
       UNDERSTUDY_NVP(t.winding_c_per_w),
       {"°C/W", kNotNegative, "Rise of the winding over the casing; 0 is a motor that stays cool"});
   a.Key(UNDERSTUDY_NVP(t.casing_c_per_w),
-        {"°C/W", kNotNegative, "Rise of the casing over the air; 0 likewise"});
+        {"°C/W", kNotNegative, "Rise of the casing over the air; 0 is a casing that stays cool"});
   a.Key(UNDERSTUDY_NVP(t.winding_time),
         {"s", kTime, "Time constant of the winding towards the casing"});
   a.Key(UNDERSTUDY_NVP(t.casing_time), {"s", kTime, "Time constant of the casing towards the air"});
@@ -149,10 +157,18 @@ void DescribeBus(Archive& a, robot::BusSpec& b) {
 
 void DescribeHand(Archive& a, robot::HandSpec& h) {
   a.Key(UNDERSTUDY_NVP(h.name), {"Its name"});
+  a.Word(UNDERSTUDY_NVP(h.law), {"How it talks and obeys (docs/hands.md)"}, robot::HandLawNames());
+  a.Key(UNDERSTUDY_NVP(h.models),
+        {"Models of wrists with hands, which replace those of robot.model: absolute, or below "
+         "models. Not used where robot.model has the motors' joints"});
   a.Key(UNDERSTUDY_NVP(h.topic),
-        {"Its topics are rt/<topic>/cmd, rt/<topic>/state and rt/lf/<topic>/state"});
-  a.List(UNDERSTUDY_NVP(h.motors), {"Its motors, in the order of motor_cmd and motor_state"},
-         DescribeHandMotor);
+        {"Its topics are rt/<topic>/cmd, rt/<topic>/state and, with the law dex3, "
+         "rt/lf/<topic>/state"});
+  a.Key(UNDERSTUDY_NVP(h.hz), {"Hz", {1, 10000}, "Rate of its states"});
+  a.List(UNDERSTUDY_NVP(h.motors), {"Its motors, in the order of the messages"}, DescribeHandMotor);
+  a.Key(UNDERSTUDY_NVP(h.slot), {"", {0, 15}, "Index in the messages of its first motor"});
+  a.Key(UNDERSTUDY_NVP(h.slots),
+        {"", {0, 16}, "How many motors the messages have; 0 is as many as it has"});
   a.List(UNDERSTUDY_NVP(h.pads), {"Pressure sensors, in the order of press_sensor_state"},
          DescribePad);
   a.Key(UNDERSTUDY_NVP(h.timeout),

@@ -10,11 +10,13 @@
 
 #include "base/nearest_word.h"
 #include "base/printed.h"
-#include "config/yaml_document.h"
 #include "physics/stature.h"
+#include "schema/yaml_document.h"
 
 namespace understudy::config {
 namespace {
+
+using schema::OneLine;
 
 constexpr std::size_t kNear = 3;  // names that are offered for a motor without a joint
 
@@ -59,6 +61,9 @@ constexpr char kNoRevisions[] =
   revision: ""
   revisions: {@none}  # has none of them
 )";
+constexpr char kNoHands[] = R"(  hand_make: none
+  hand_makes: []  # its wrists are its own: name hands that fit them
+)";
 constexpr char kRobotRest[] = R"(
   # By the motor's name in @like: its joint, limits in N m and rad/s. Slot: its place in LowCmd.
   # knee_speed: up to which there is the whole torque; the same share of no_load_speed as there.
@@ -77,7 +82,7 @@ constexpr char kStandHeight[] = R"(
 )";
 
 constexpr char kStandsUp[] =
-    R"(# What it does at first. docs/rehearsing.md has what else one can ask for.
+    R"(# What it does at first. docs/reference/scenarios.md has what else one can ask for.
 scenario: @name stands up
 robot: @file
 start: lying
@@ -87,9 +92,10 @@ script:
 expect:
   - {never: base.tilt > 30 deg, name: stays upright}
   - {settles: base.speed < 0.1, within: 5, name: comes to rest}
+  - {final: base.height between @low and @high, name: stands}
 )";
 constexpr char kHangsThere[] =
-    R"(# What it does at first. docs/rehearsing.md has what else one can ask for.
+    R"(# What it does at first. docs/reference/scenarios.md has what else one can ask for.
 scenario: @name hangs from its crane
 robot: @file
 start: hanging
@@ -198,20 +204,31 @@ std::string FeetText(const NewRobot& robot, const robot::RobotSpec& like, const 
 
 // A pose with the angles of `like`, within the ranges of the joints. `above` [m] is how high its
 // lowest point is over the ground.
-std::string PoseText(const NewRobot& robot, const mjModel& model, const std::string& name,
-                     const robot::PoseSpec& like, double above) {
-  std::string angles;
+// Of a motor in a pose of the other robot, within the range of its joint.
+double AngleOf(const NewRobot& robot, const robot::PoseSpec& like, std::size_t motor) {
+  const mjcf::UrdfReadJoint* joint = Find(robot, robot.motors[motor].joint);
+  if (joint == nullptr || !joint->range) return like.q[motor];
+  return std::clamp(like.q[motor], (*joint->range)[0], (*joint->range)[1]);
+}
+
+// Of the base over the ground, m; 0 of one that is fixed.
+double HeightOf(const NewRobot& robot, const mjModel& model, const robot::PoseSpec& like) {
+  if (robot.robot.fixed) return 0;
   std::vector<physics::JointAngle> joints;
   for (std::size_t i = 0; i < robot.motors.size(); ++i) {
     const mjcf::UrdfReadJoint* joint = Find(robot, robot.motors[i].joint);
-    double q = like.q[i];
-    if (joint != nullptr && joint->range) {
-      q = std::clamp(q, (*joint->range)[0], (*joint->range)[1]);
-    }
-    if (joint != nullptr) joints.push_back({joint->name, q});
-    angles += (i == 0 ? "" : i % 12 == 0 ? ",\n        " : ", ") + Number(q);
+    if (joint != nullptr) joints.push_back({joint->name, AngleOf(robot, like, i)});
   }
-  const double height = above + physics::HeightOnGround(model, robot.robot.base, like.quat, joints);
+  return physics::HeightOnGround(model, robot.robot.base, like.quat, joints);
+}
+
+std::string PoseText(const NewRobot& robot, const mjModel& model, const std::string& name,
+                     const robot::PoseSpec& like, double above) {
+  std::string angles;
+  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
+    angles += (i == 0 ? "" : i % 12 == 0 ? ",\n        " : ", ") + Number(AngleOf(robot, like, i));
+  }
+  const double height = robot.robot.fixed ? 0 : above + HeightOf(robot, model, like);
   return "  " + name + ":\n    q: [" + angles + "]\n    height: " + Number(height) + "\n";
 }
 
@@ -294,14 +311,19 @@ std::string NewRobotYaml(const NewRobot& robot, const robot::RobotSpec& like, co
       {"@stand_height", Number(like.motion.quadruped.stand_height)},
   };
   return Filled(kRobotHead, words) + (revisions.empty() ? "" : Filled(kNoRevisions, words)) +
-         Filled(kRobotRest, words) +
+         (like.hand_makes.empty() ? "" : kNoHands) + Filled(kRobotRest, words) +
          (robot::IsQuadruped(like.kind) ? Filled(kStandHeight, words) : "");
 }
 
 std::string NewScenarioYaml(const NewRobot& robot, const robot::RobotSpec& like,
-                            const std::string& file) {
-  const bool stands = robot::IsQuadruped(like.kind);
-  return Filled(stands ? kStandsUp : kHangsThere, {{"@name", robot.name}, {"@file", Quoted(file)}});
+                            const mjModel& model, const std::string& file) {
+  // About the pose, since a motion service stands as high as it likes; lying is far below.
+  const double height = HeightOf(robot, model, like.standing);
+  return Filled(robot::IsQuadruped(like.kind) ? kStandsUp : kHangsThere,
+                {{"@name", robot.name},
+                 {"@file", Quoted(file)},
+                 {"@low", Number(0.7 * height)},
+                 {"@high", Number(1.4 * height)}});
 }
 
 }  // namespace understudy::config

@@ -26,7 +26,7 @@ std::vector<MotorMatch> MatchMotors(const robot::RobotSpec& like,
 struct NewRobot {
   std::string name;
   std::string like;       // as typed
-  std::string urdf;       // likewise
+  std::string urdf;       // as typed
   mjcf::UrdfRobot robot;  // its model has the site
   std::vector<MotorMatch> motors;
 };
@@ -42,6 +42,6 @@ std::string NewRobotYaml(const NewRobot& robot, const robot::RobotSpec& like, co
 
 // Returns a first scenario: the robot starts and stays upright. `file` is the robot's YAML.
 std::string NewScenarioYaml(const NewRobot& robot, const robot::RobotSpec& like,
-                            const std::string& file);
+                            const mjModel& model, const std::string& file);
 
 }  // namespace understudy::config

@@ -8,6 +8,10 @@
 namespace understudy::config {
 namespace {
 
+using schema::OneLine;
+using schema::ReadYamlFile;
+using schema::YamlNames;
+
 using std::filesystem::path;
 
 path Folder(const path& data_dir) { return data_dir / "config" / "profiles"; }

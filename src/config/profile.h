@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "config/yaml_document.h"
+#include "schema/yaml_document.h"
 
 namespace understudy::config {
+
+using schema::YamlValue;
 
 // The profile of a run that asks for none.
 inline constexpr char kUsualProfile[] = "nominal";

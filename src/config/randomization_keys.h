@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
-#include "config/archive.h"
 #include "config/keys.h"
 #include "robot/randomization.h"
+#include "schema/archive.h"
 
 namespace understudy::config {
 

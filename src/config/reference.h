@@ -1,8 +1,10 @@
-// Writes docs/config.md's tables of keys.
+// Describes the keys of the configuration; writes docs/reference/config.md.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "schema/entries.h"
 
 namespace understudy::config {
 
@@ -10,10 +12,15 @@ namespace understudy::config {
 // dotted, as in --set; [] in a key stands for the index of a list element.
 std::string ConfigReference();
 
-// Returns all keys of those tables, in their order.
+// Return all rows of those tables in order of appearance, and their keys.
+std::vector<schema::Entry> ConfigEntries();
 std::vector<std::string> ConfigKeys();
 
-// Returns the words that this key takes, of a switch true and false; none for one that takes
+// Returns the row of each of emulator::LiveSettings(), the keys that can change while a robot runs,
+// in its order.
+std::vector<schema::Entry> SettingKeys();
+
+// Returns the words that this key takes, of a switch false and true; none for one that takes
 // numbers or any text, and for one that there is not.
 std::vector<std::string> WordsOfKey(const std::string& key);
 

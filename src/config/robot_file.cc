@@ -14,37 +14,27 @@
 namespace understudy::config {
 namespace {
 
+using schema::MapOf;
+using schema::OneLine;
+using schema::ReadYamlFile;
+using schema::TakeOut;
+using schema::YamlNames;
+
 using std::filesystem::path;
 
-constexpr char kExtends[] = "extends";
 constexpr char kRevisions[] = "revisions";
 constexpr char kFirmwares[] = "firmwares";
 
-bool IsFile(const std::string& robot) {
-  return robot.find('/') != std::string::npos || robot.ends_with(".yaml");
-}
-
 path NamedFile(const std::string& robot, const std::string& where, const path& data_dir) {
   const std::vector<std::string> names = RobotNames(data_dir);
-  std::string name = robot;  // whatever its case: `Go2` is what the vendor writes
+  std::string name = robot;  // in any case of letters: the vendor writes `Go2`
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    throw ConfigError(where + "robot '" + OneLine(robot) + "': unknown" + DidYouMean(robot, names));
+    constexpr std::string_view kVendor = "unitree_";
+    const std::string meant = name.starts_with(kVendor) ? name.substr(kVendor.size()) : robot;
+    throw ConfigError(where + "robot '" + OneLine(robot) + "': unknown" + DidYouMean(meant, names));
   }
   return data_dir / "config" / "robots" / (name + ".yaml");
-}
-
-// Removes a key from the map and returns its value.
-std::optional<YamlValue> TakeOut(YamlValue* map, std::string_view key) {
-  for (std::size_t i = 0; i < map->keys.size(); ++i) {
-    if (map->keys[i].text != key) continue;
-    const auto at = static_cast<std::ptrdiff_t>(i);
-    YamlValue value = std::move(map->items[i]);
-    map->keys.erase(map->keys.begin() + at);
-    map->items.erase(map->items.begin() + at);
-    return value;
-  }
-  return std::nullopt;
 }
 
 void AddVariant(const std::string& name, YamlValue differences, const std::string& key,
@@ -97,8 +87,18 @@ path Extended(const YamlValue& extends, const path& file, const path& data_dir) 
     throw ConfigError(extends.where + ": " + kExtends + ": expected a robot's name or file, got " +
                       Shown(extends));
   }
-  if (IsFile(extends.text)) return file.parent_path() / extends.text;
+  if (IsRobotPath(extends.text)) return file.parent_path() / extends.text;
   return NamedFile(extends.text, extends.where + ": " + kExtends + ": ", data_dir);
+}
+
+// Makes a relative path absolute if there is such a file beside `file`.
+void FindBeside(const path& file, YamlValue* named) {
+  if (named == nullptr || named->text.empty()) return;
+  std::error_code error;
+  const path beside = file.parent_path() / named->text;
+  if (std::filesystem::is_regular_file(beside, error)) {
+    named->text = std::filesystem::absolute(beside).lexically_normal().string();
+  }
 }
 
 // `seen`: the files that extend this one, without itself.
@@ -153,23 +153,26 @@ std::vector<std::string> RobotNames(const path& data_dir) {
 YamlValue ReadLayer(const path& file) {
   YamlValue tree = ReadYamlFile(file);
   YamlValue* robot = tree.Find("robot");
-  YamlValue* model = robot == nullptr ? nullptr : robot->Find("model");
-  if (model == nullptr || model->text.empty()) return tree;
-  std::error_code error;
-  const path beside = file.parent_path() / model->text;
-  if (std::filesystem::is_regular_file(beside, error)) {
-    model->text = std::filesystem::absolute(beside).lexically_normal().string();
+  if (robot == nullptr) return tree;
+  FindBeside(file, robot->Find("model"));
+  if (YamlValue* services = robot->Find("services")) {
+    for (YamlValue& service : services->items) FindBeside(file, service.Find("policy"));
   }
   return tree;
 }
 
-RobotFile ReadRobotFile(const std::string& robot, const path& data_dir) {
+bool IsRobotPath(const std::string& robot) {
+  return robot.find('/') != std::string::npos || robot.ends_with(".yaml");
+}
+
+RobotFile ReadRobotFile(const std::string& robot, const path& data_dir, const std::string& where) {
   RobotFile file;
   std::vector<path> seen;
   std::error_code error;
   const path motors = data_dir / "config" / "motors.yaml";
   if (std::filesystem::exists(motors, error)) file.trees.push_back(ReadYamlFile(motors));
-  AddFile(IsFile(robot) ? path(robot) : NamedFile(robot, "", data_dir), data_dir, &seen, &file);
+  AddFile(IsRobotPath(robot) ? path(robot) : NamedFile(robot, where, data_dir), data_dir, &seen,
+          &file);
   return file;
 }
 

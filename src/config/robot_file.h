@@ -21,9 +21,14 @@
 #include <string>
 #include <vector>
 
-#include "config/yaml_document.h"
+#include "schema/yaml_document.h"
 
 namespace understudy::config {
+
+using schema::YamlValue;
+
+// The key by which a robot's file names the one that it extends.
+inline constexpr char kExtends[] = "extends";
 
 // A hardware revision or a firmware: layers to be read after those of the robot, weakest first;
 // those of a firmware after those of a revision.
@@ -36,7 +41,8 @@ struct RobotFile {
   // Weakest first: data_dir/config/motors.yaml, what it extends, then the file itself.
   std::vector<YamlValue> trees;
   std::vector<RobotVariant> revisions;  // in the order of the files
-  std::vector<RobotVariant> firmwares;  // likewise, each named by its first version
+  std::vector<RobotVariant>
+      firmwares;  // in the order of the files, each named by its first version
 
   // Returns null if there is no revision of that name.
   const RobotVariant* FindRevision(const std::string& name) const;
@@ -50,7 +56,8 @@ struct RobotFile {
 // Returns the names of the robots in data_dir/config/robots, in alphabetical order.
 std::vector<std::string> RobotNames(const std::filesystem::path& data_dir);
 
-// Reads a --config file. A relative `robot.model` beside the file becomes absolute. Throws
+// Reads a --config file. The path of a model or policy that stands beside the file
+// becomes absolute. Throws
 // ConfigError.
 YamlValue ReadLayer(const std::filesystem::path& file);
 
@@ -58,6 +65,11 @@ YamlValue ReadLayer(const std::filesystem::path& file);
 // or ends .yaml). Does not look for unknown keys. Throws ConfigError for an unknown robot, a file
 // that cannot be read or extends itself, and for revisions or firmwares that are not a mapping of
 // mappings or remove one that does not exist, and for a firmware that is no version.
-RobotFile ReadRobotFile(const std::string& robot, const std::filesystem::path& data_dir);
+// `where` begins the message of an unknown robot.
+RobotFile ReadRobotFile(const std::string& robot, const std::filesystem::path& data_dir,
+                        const std::string& where = "");
+
+// Returns whether a robot is named by the path of a file.
+bool IsRobotPath(const std::string& robot);
 
 }  // namespace understudy::config

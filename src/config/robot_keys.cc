@@ -1,6 +1,7 @@
 // The keys of a robot. Those of its motors: motor_keys.cc; of its motion service: motion_keys.cc.
 #include "authority/chord.h"
 #include "config/keys.h"
+#include "motion/controllers.h"
 
 namespace understudy::config {
 namespace {
@@ -26,7 +27,7 @@ void DescribeSite(Archive& a, robot::SiteSpec& s) {
 void DescribeFan(Archive& a, robot::FanSpec& f) {
   a.Key(UNDERSTUDY_NVP(f.name), {"Its name, of which its faults are"});
   a.Key(UNDERSTUDY_NVP(f.place), {"", {0, 2}, "Its index in fan_frequency of LowState"});
-  a.Key(UNDERSTUDY_NVP(f.rpm), {"1/min", {0, 10000}, "What is told there while it turns"});
+  a.Key(UNDERSTUDY_NVP(f.rpm), {"1/min", {0, 10000}, "Value there while it turns"});
   a.Key(UNDERSTUDY_NVP(f.stall_bit),
         {"", {0, 255}, "Bit of fan_frequency[3] while it does not; 0 is none"});
 }
@@ -34,7 +35,8 @@ void DescribeFan(Archive& a, robot::FanSpec& f) {
 void DescribeBoard(Archive& a, robot::BoardSpec& b) {
   a.Key(UNDERSTUDY_NVP(b.centre_rise_c),
         {"°C", {0, 100}, "temperature_ntc1 over the air while all fans turn"});
-  a.Key(UNDERSTUDY_NVP(b.charger_rise_c), {"°C", {0, 100}, "temperature_ntc2, likewise"});
+  a.Key(UNDERSTUDY_NVP(b.charger_rise_c),
+        {"°C", {0, 100}, "temperature_ntc2 over the air while all fans turn"});
   a.Key(UNDERSTUDY_NVP(b.still_air), {"", {1, 10}, "Times that rise where no fan turns (assumed)"});
   a.Key(UNDERSTUDY_NVP(b.time_constant),
         {"s", {0.1, 1e5}, "In which temperatures follow (assumed)"});
@@ -60,8 +62,6 @@ void DescribeRates(Archive& a, robot::RateSpec& r) {
   constexpr Range kHz{1, 10000};
   a.Key(UNDERSTUDY_NVP(r.lowstate_hz), {"Hz", kHz, "Rate of rt/lowstate and rt/secondary_imu"});
   a.Key(UNDERSTUDY_NVP(r.motion_hz), {"Hz", kHz, "Rate of rt/sportmodestate or rt/odommodestate"});
-  a.Key(UNDERSTUDY_NVP(r.hand_hz),
-        {"Hz", kHz, "Rate of the states of hands (the default is assumed)"});
   a.Key(UNDERSTUDY_NVP(r.lf_hz), {"Hz", kHz, "Rate of all rt/lf topics"});
   a.Key(UNDERSTUDY_NVP(r.service_hz),
         {"Hz", kHz, "Rate of the commands of the robot's own motion service"});
@@ -76,6 +76,13 @@ void DescribeService(Archive& a, robot::ServiceSpec& s) {
   a.Key(UNDERSTUDY_NVP(s.since), {"First firmware that has it; \"\" is any"});
   a.Key(UNDERSTUDY_NVP(s.before), {"First firmware that no longer has it; \"\" is none"});
   a.Key(UNDERSTUDY_NVP(s.version), {"Its version, as robot_state tells it; \"\" tells none"});
+  a.Word(UNDERSTUDY_NVP(s.controller),
+         {"Controller of a motion service (docs/reference/policies.md); default is that of the "
+          "robot's kind"},
+         motion::ControllerNames());
+  a.Key(UNDERSTUDY_NVP(s.policy),
+        {"Definition that the controller policy plays, a YAML file: absolute, or relative to the "
+         "YAML that names it"});
 }
 
 void DescribeArmSdk(Archive& a, robot::ArmSdkSpec& s) {
@@ -131,6 +138,35 @@ void DescribeFootSensor(Archive& a, robot::FootSensorSpec& f) {
   a.Key(UNDERSTUDY_NVP(f.counts_per_newton), {"counts/N", kNotNegative, "Slope of the raw value"});
 }
 
+void DescribeLidar(Archive& a, robot::LidarSpec& l) {
+  a.Word(UNDERSTUDY_NVP(l.make), {"Its make; none is without rt/utlidar"},
+         {"none", "L1", "L2", "Mid-360"});
+  a.Key(UNDERSTUDY_NVP(l.body), {"Body of the model that carries it; empty is the base"});
+  a.Key(UNDERSTUDY_NVP(l.pos), {"m", {-5, 5}, "Place of its frame in the body's"});
+  a.Key(UNDERSTUDY_NVP(l.rpy), {"rad", {-4, 4}, "Roll, pitch, yaw of its frame in the body's"});
+  a.Key(UNDERSTUDY_NVP(l.base_pos),
+        {"m", {-5, 5}, "Place of its frame by which rt/utlidar/cloud_base is made"});
+  a.Key(UNDERSTUDY_NVP(l.noise), {"m", {0, 1}, "Standard deviation of a range"});
+  a.Key(UNDERSTUDY_NVP(l.dropout), {"", {0, 1}, "Share of echoes that are lost"});
+  a.Key(UNDERSTUDY_NVP(l.range), {"m", {0, 1000}, "The nearest and the farthest echo"});
+}
+
+void DescribeCamera(Archive& a, robot::CameraSpec& c) {
+  a.Key(UNDERSTUDY_NVP(c.name), {"Its name, as `picture --camera` takes it"});
+  a.Key(UNDERSTUDY_NVP(c.service),
+        {"The service that gives its pictures, where robot.apis has it; \"\" is none"});
+  a.Key(UNDERSTUDY_NVP(c.body), {"Body of the model that carries it; empty is the base"});
+  a.Key(UNDERSTUDY_NVP(c.pos), {"m", {-5, 5}, "Place of its frame in the body's"});
+  a.Key(UNDERSTUDY_NVP(c.rpy),
+        {"rad", {-4, 4}, "Roll, pitch, yaw of its frame, which looks along x, in the body's"});
+  a.Key(UNDERSTUDY_NVP(c.width), {"pixels", {16, 4096}, "Width of a picture"});
+  a.Key(UNDERSTUDY_NVP(c.height), {"pixels", {16, 4096}, "Its height"});
+  a.Key(UNDERSTUDY_NVP(c.focal), {"pixels", {1, 1e5}, "Focal length, across and down"});
+  a.Key(UNDERSTUDY_NVP(c.centre), {"pixels", {-1e4, 1e4}, "Where its axis is in the picture"});
+  a.Key(UNDERSTUDY_NVP(c.distortion), {"", {-10, 10}, "Distortion k1, k2, p1, p2, as OpenCV's"});
+  a.Key(UNDERSTUDY_NVP(c.quality), {"", {1, 100}, "Quality of its JPEGs"});
+}
+
 void DescribeBattery(Archive& a, robot::BatterySpec& b) {
   a.Key(UNDERSTUDY_NVP(b.cells), {"", {0, 40}, "Cells in series"});
   a.Key(UNDERSTUDY_NVP(b.capacity_ah), {"A·h", kNotNegative, "Capacity"});
@@ -146,7 +182,7 @@ void DescribeBattery(Archive& a, robot::BatterySpec& b) {
   a.Key(UNDERSTUDY_NVP(b.cutoff_v),
         {"V", {0, 5}, "The same, below which its weakest cell cuts it off; 0 is never"});
   a.Key(UNDERSTUDY_NVP(b.cutoff_time), {"s", {0.001, 3600}, "Time constant of these means"});
-  a.Key(UNDERSTUDY_NVP(b.low_soc), {"", {0, 1}, "Charge below which it is told to be low"});
+  a.Key(UNDERSTUDY_NVP(b.low_soc), {"", {0, 1}, "Charge below which it is reported as low"});
   a.Key(UNDERSTUDY_NVP(b.cell_spread),
         {"V",
          {0, 0.1},
@@ -209,9 +245,12 @@ void Describe(Archive& a, robot::RobotSpec& r) {
          {"Buses between its computer and motors of the body; the others share one without a name, "
           "each hand has one of its own"},
          DescribeBus, &robot::BusSpec::name);
-  a.List(UNDERSTUDY_NVP(r.fans), {"Fans that LowState tells of; go only"}, DescribeFan,
-         &robot::FanSpec::name);
+  a.List(UNDERSTUDY_NVP(r.fans), {"Fans in LowState; go only"}, DescribeFan, &robot::FanSpec::name);
   a.Section(UNDERSTUDY_NVP(r.board), {"The mainboard, as LowState of go shows it"}, DescribeBoard);
+  a.Key(UNDERSTUDY_NVP(r.hand_makes), {"Hands that it can bear: names of config/hands"});
+  a.Key(UNDERSTUDY_NVP(r.hand_make),
+        {"Hands that it bears: one of hand_makes on both sides, left:NAME or right:NAME on one, "
+         "both after a comma for different ones; or none. Sets robot.hands"});
   a.List(UNDERSTUDY_NVP(r.hands), {"Hands with motors and topics; hg only"}, DescribeHand);
   a.Section(UNDERSTUDY_NVP(r.imu), {"Inertial units"}, DescribeImu);
   a.Section(UNDERSTUDY_NVP(r.encoder_noise),
@@ -219,16 +258,19 @@ void Describe(Archive& a, robot::RobotSpec& r) {
   a.List(UNDERSTUDY_NVP(r.feet), {"Feet, in the order of foot_force"}, DescribeFoot,
          &robot::FootSpec::name);
   a.Section(UNDERSTUDY_NVP(r.foot_sensor), {"What foot_force shows"}, DescribeFootSensor);
+  a.Section(UNDERSTUDY_NVP(r.lidar), {"The lidar of rt/utlidar (docs/seeing.md)"}, DescribeLidar);
+  a.List(UNDERSTUDY_NVP(r.cameras), {"Cameras whose pictures services give (docs/seeing.md)"},
+         DescribeCamera, &robot::CameraSpec::name);
   a.Section(UNDERSTUDY_NVP(r.rates), {"How often topics are written"}, DescribeRates);
   a.List(UNDERSTUDY_NVP(r.services),
          {"Programs on the robot's computer, as robot_state lists them"}, DescribeService,
          &robot::ServiceSpec::name);
   a.Key(UNDERSTUDY_NVP(r.apis),
-        {"Services that answer requests: names of the tables in docs/services.md"});
+        {"Services that answer requests: names of the tables in docs/reference/services.md"});
   a.Key(UNDERSTUDY_NVP(r.status_texts),
         {"Topics on which programs of the robot publish texts of their own accord"});
   a.Key(UNDERSTUDY_NVP(r.error_list),
-        {"Whether rt/errorlist tells of faults when they come and go; go only"});
+        {"Whether rt/errorlist reports faults when they come and go; go only"});
   a.Key(UNDERSTUDY_NVP(r.arm_action_state), {"Whether rt/arm/action/state is written; hg only"});
   a.Section(UNDERSTUDY_NVP(r.arm_sdk), {"rt/arm_sdk: commands mixed over the motion service's"},
             DescribeArmSdk);

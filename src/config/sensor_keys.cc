@@ -18,10 +18,15 @@ void DescribeImuErrors(Archive& a, sensors::ImuErrors& i) {
         {"", kShare, "Error of the gyroscope's scale: deviation of each axis, as a share"});
   a.Key(UNDERSTUDY_NVP(i.gyro_misalignment),
         {"rad", kTurn, "How far each axis of the gyroscope leans to each other: deviation"});
-  a.Key(UNDERSTUDY_NVP(i.accel_bias), {"m/s²", kForce, "Bias of the accelerometer, likewise"});
-  a.Key(UNDERSTUDY_NVP(i.accel_walk), {"m/s²/√s", kForce, "Random walk of that bias, likewise"});
-  a.Key(UNDERSTUDY_NVP(i.accel_scale), {"", kShare, "Error of its scale, likewise"});
-  a.Key(UNDERSTUDY_NVP(i.accel_misalignment), {"rad", kTurn, "Leaning of its axes, likewise"});
+  a.Key(UNDERSTUDY_NVP(i.accel_bias),
+        {"m/s²", kForce, "Bias of the accelerometer at the start: deviation of each axis"});
+  a.Key(
+      UNDERSTUDY_NVP(i.accel_walk),
+      {"m/s²/√s", kForce, "Random walk of the accelerometer's bias: its deviation after a second"});
+  a.Key(UNDERSTUDY_NVP(i.accel_scale),
+        {"", kShare, "Error of the accelerometer's scale: deviation of each axis, as a share"});
+  a.Key(UNDERSTUDY_NVP(i.accel_misalignment),
+        {"rad", kTurn, "How far each axis of the accelerometer leans to each other: deviation"});
   a.Key(UNDERSTUDY_NVP(i.saturate),
         {"Whether readings end at 32767 steps of the unit's lattices, as 16-bit numbers do"});
   a.Key(UNDERSTUDY_NVP(i.bandwidth),
@@ -70,6 +75,13 @@ void DescribeOdometerErrors(Archive& a, sensors::OdometerErrors& o) {
         {"", kShare, "Error of the way by the legs: deviation ahead and to the left, as a share"});
   a.Key(UNDERSTUDY_NVP(o.walk),
         {"m/√s", {0, 10}, "Random walk of the position: its deviation after a second"});
+  a.Choice(UNDERSTUDY_NVP(o.legs),
+           {"Where rt/utlidar/robot_odom comes from: the truth, or the motion service's estimate"},
+           {"truth", "estimate"});
+  a.Key(UNDERSTUDY_NVP(o.shortfall),
+        {"", kShare, "Share of the way that it misses by the estimate"});
+  a.Key(UNDERSTUDY_NVP(o.turn),
+        {"", kShare, "Share of each turn that its heading is off by, by the estimate"});
 }
 
 }  // namespace

@@ -14,12 +14,12 @@ void DescribePatch(Archive& a, terrain::TerrainPatch& p) {
 
 void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
   a.Key(UNDERSTUDY_NVP(t.difficulty),
-        {"", {0, 1}, "0 is nearly flat, 1 the hardest; docs/terrain.md has the figures"});
+        {"", {0, 1}, "0 is nearly flat, 1 the hardest; docs/reference/terrain.md has the figures"});
   a.Key(UNDERSTUDY_NVP(t.friction),
         {"",
          {0, 5},
-         "Sliding friction of every contact with the ground; 0 is the larger of 0.8 (assumed) and "
-         "what the robot's model says"});
+         "Friction of the ground; 0 = default: 0.8 (assumed), or what the robot's model says if "
+         "that is more"});
   a.Key(UNDERSTUDY_NVP(t.size),
         {"m", {2, 100}, "Length of a patch along +x, width along y (defaults assumed)"});
   a.Key(UNDERSTUDY_NVP(t.seed), {"", {0, kMaxInt}, "Seed of its random parts"});
@@ -37,7 +37,8 @@ void DescribeScene(Archive& a, Config& c) {
   a.Key(UNDERSTUDY_NVP(c.scene),
         {"Ground: a kind of terrain, row for terrain.patches, a name in models/scene, an MJCF "
          "file, or a YAML file with scene and terrain"});
-  a.Section(UNDERSTUDY_NVP(c.terrain), {"Generated ground (docs/terrain.md)"}, DescribeTerrain);
+  a.Section(UNDERSTUDY_NVP(c.terrain), {"Generated ground (docs/reference/terrain.md)"},
+            DescribeTerrain);
 }
 
 }  // namespace understudy::config

@@ -9,17 +9,19 @@
 
 #include "authority/onboard.h"
 #include "base/nearest_word.h"
-#include "config/archive.h"
 #include "config/keys.h"
 #include "config/randomization_keys.h"
 #include "config/validate_robot.h"
-#include "emulator/robot.h"
+#include "robot/command_topics.h"
 #include "robot/fault_bank.h"
-#include "services/robot_services.h"
-#include "wire/states.h"
+#include "schema/archive.h"
+#include "services/api_names.h"
+#include "wire/robot_topics.h"
 
 namespace understudy::config {
 namespace {
+
+using schema::NumberText;
 
 void CheckRandomization(const Config& config, const Checker& checker) {
   const robot::RandomizationSpec& spec = config.randomization;
@@ -33,7 +35,7 @@ void CheckRandomization(const Config& config, const Checker& checker) {
                   "expected least before most, got " + NumberText(limits.empty() ? 0 : limits[0]) +
                       " before " + NumberText(limits.empty() ? 0 : limits[1]));
   }
-  const robot::RateSpec& rates = config.robot.rates;
+  const robot::RateSpec& rates = config.robots[0].spec.rates;
   checker.Check(spec.timestep.empty() || !robot::PossibleTimesteps(spec.timestep, rates).empty(),
                 "randomization.timestep",
                 "no step in it divides the periods of " + NumberText(rates.lowstate_hz) + " and " +
@@ -46,7 +48,7 @@ bool IsWhole(double ratio) {
 }
 
 void CheckRates(const Config& config, const Checker& checker) {
-  const robot::RateSpec& rates = config.robot.rates;
+  const robot::RateSpec& rates = config.robots[0].spec.rates;
   const double steps = 1 / config.physics.timestep;
   checker.Check(IsWhole(steps / rates.lowstate_hz), "robot.rates.lowstate_hz",
                 "expected a rate whose period is a whole number of physics steps of " +
@@ -63,22 +65,25 @@ void CheckRates(const Config& config, const Checker& checker) {
   checker.Check(IsWhole(steps / rates.service_hz), "robot.rates.service_hz",
                 "expected a rate whose period is a whole number of physics steps, got " +
                     NumberText(rates.service_hz));
-  if (!config.robot.hands.empty()) divides(rates.hand_hz, "robot.rates.hand_hz");
+  const std::vector<robot::HandSpec>& hands = config.robots[0].spec.hands;
+  for (std::size_t i = 0; i < hands.size(); ++i) {
+    divides(hands[i].hz, "robot.hands." + std::to_string(i) + ".hz");
+  }
   divides(rates.lf_hz, "robot.rates.lf_hz");
 }
 
 void CheckMotionService(const Config& config, const Checker& checker) {
-  const std::string& wanted = config.motion.service;
-  std::vector<std::string> words = authority::MotionServices(config.robot);
+  const std::string& wanted = config.robots[0].motion.service;
+  std::vector<std::string> words = authority::MotionServices(config.robots[0].spec);
   words.emplace_back(authority::kNoService);
   const bool known = wanted.empty() || std::find(words.begin(), words.end(), wanted) != words.end();
   checker.Check(known, "motion.service",
-                "firmware '" + config.robot.firmware + "' has no motion service '" + wanted + "'" +
-                    DidYouMean(wanted, words));
-  const std::string& pose = config.start.pose;
-  const bool falls = config.robot.kind == robot::RobotKind::kHumanoid &&
+                "firmware '" + config.robots[0].spec.firmware + "' has no motion service '" +
+                    wanted + "'" + DidYouMean(wanted, words));
+  const std::string& pose = config.robots[0].start.pose;
+  const bool falls = config.robots[0].spec.kind == robot::RobotKind::kHumanoid &&
                      wanted == authority::kNoService &&
-                     (pose.empty() ? config.robot.default_start : pose) == "standing";
+                     (pose.empty() ? config.robots[0].spec.default_start : pose) == "standing";
   checker.Check(!falls, "start.pose",
                 "a standing humanoid falls while no motion service balances it; start it hanging "
                 "(lower it with `understudy ctl crane lower`) or clamped (`ctl clamp off`)");
@@ -86,18 +91,15 @@ void CheckMotionService(const Config& config, const Checker& checker) {
 
 // What the robot has not, or never has, is refused here as the running robot would.
 void CheckFaults(const Config& config, const Checker& checker) {
-  if (config.faults.empty()) return;
-  std::vector<std::string> topics = emulator::CommandTopics(config.robot);
-  for (wire::StateTopic& topic : wire::StateTopics(config.robot)) {
-    topics.push_back(std::move(topic.name));
-  }
-  std::vector<std::string> services;
-  for (const services::ServiceTable& table : services::ServicesOf(config.robot.apis)) {
-    services.emplace_back(table.name);
-  }
-  robot::FaultBank bank(config.robot, topics, services, config.sensors.seed);
-  for (std::size_t i = 0; i < config.faults.size(); ++i) {
-    const auto planned = bank.Plan(config.faults[i]);
+  const RobotConfig& robot = config.robots[0];
+  if (robot.faults.empty()) return;
+  std::vector<std::string> topics = robot::CommandTopicNames(robot.spec);
+  const std::vector<std::string> services = services::ServiceNames(robot.spec.apis);
+  for (const wire::RobotTopic& topic : wire::PublishedTopics(robot.spec, services))
+    topics.push_back(topic.name);
+  robot::FaultBank bank(robot.spec, topics, services, robot.sensors.seed);
+  for (std::size_t i = 0; i < robot.faults.size(); ++i) {
+    const auto planned = bank.Plan(robot.faults[i]);
     checker.Check(planned.ok(), "faults." + std::to_string(i), planned.why());
   }
 }
@@ -123,14 +125,15 @@ void ValidateTerrain(const Config& config, const Places& places) {
 void Validate(const Config& config, const Places& places) {
   ValidateTerrain(config, places);
   const Checker checker(places);
-  ValidateRobot(config.robot, checker);
+  ValidateRobot(config.robots[0].spec, checker);
   CheckRates(config, checker);
   CheckRandomization(config, checker);
   CheckMotionService(config, checker);
   CheckFaults(config, checker);
-  if (!config.start.pose.empty()) CheckStartPose(config.start.pose, "start.pose", checker);
-  checker.Check(config.network.domain >= 0 && config.network.domain <= 232, "network.domain",
-                "expected 0 to 232");
+  if (!config.robots[0].start.pose.empty())
+    CheckStartPose(config.robots[0].start.pose, "start.pose", checker);
+  checker.Check(config.robots[0].network.domain >= 0 && config.robots[0].network.domain <= 232,
+                "network.domain", "expected 0 to 232");
 }
 
 }  // namespace understudy::config

@@ -11,143 +11,20 @@
 
 #include "authority/chord.h"
 #include "base/nearest_word.h"
-#include "config/archive.h"
 #include "config/keys.h"
+#include "config/validate_motors.h"
+#include "motion/controllers.h"
 #include "robot/firmware.h"
+#include "robot/lens.h"
+#include "schema/archive.h"
 #include "services/api_names.h"
 
 namespace understudy::config {
 namespace {
 
-// Motors that fit into one message: unitree_go LowCmd_.motor_cmd[20], unitree_hg's [35].
-constexpr int kGoSlots = 20;
-constexpr int kHgSlots = 35;
-constexpr std::size_t kHandMotors = 16;  // ids of the mode byte of a hand
+using schema::NumberText;
 
-void CheckCurve(double knee_speed, double no_load_speed, const std::string& key,
-                const Checker& checker) {
-  checker.Check(knee_speed == 0 || knee_speed < no_load_speed, key + "knee_speed",
-                "expected less than no_load_speed " + NumberText(no_load_speed) + " rad/s, got " +
-                    NumberText(knee_speed));
-}
-
-void CheckMotorTypes(const std::vector<robot::MotorTypeSpec>& types, const Checker& checker) {
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    const robot::MotorTypeSpec& type = types[i];
-    const std::string key = "robot.motor_types." + std::to_string(i) + ".";
-    checker.Check(!type.name.empty(), key + "name", "expected a name");
-    checker.Check(names.insert(type.name).second, key + "name",
-                  "there is a '" + type.name + "' already");
-    CheckCurve(type.knee_speed, type.no_load_speed, key, checker);
-    checker.Check((type.winding_c_per_w > 0) == (type.casing_c_per_w > 0), key + "casing_c_per_w",
-                  "expected winding_c_per_w and this both 0, or neither");
-  }
-}
-
-// `list` is the key of the motors, `joints` the joints that already have a motor.
-void CheckMotors(const std::vector<robot::MotorSpec>& motors,
-                 const std::vector<robot::MotorTypeSpec>& types, const std::string& list,
-                 std::set<std::string>* joints, const Checker& checker) {
-  std::vector<std::string> names;
-  for (const robot::MotorTypeSpec& type : types) names.push_back(type.name);
-  for (std::size_t i = 0; i < motors.size(); ++i) {
-    const robot::MotorSpec& m = motors[i];
-    const std::string key = list + "." + std::to_string(i) + ".";
-    checker.Check(!m.joint.empty(), key + "joint", "expected the name of a joint");
-    checker.Check(joints->insert(m.joint).second, key + "joint",
-                  "'" + m.joint + "' has a motor already");
-    const bool known = m.type.empty() || std::ranges::find(names, m.type) != names.end();
-    checker.Check(known, key + "type",
-                  known           ? ""
-                  : names.empty() ? "no motor type '" + m.type +
-                                        "', nor any other: config/motors.yaml is missing"
-                                  : "no motor type '" + m.type + "'" + DidYouMean(m.type, names));
-    checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
-    CheckCurve(m.knee_speed, m.no_load_speed, key, checker);
-  }
-}
-
-void CheckSlots(const robot::RobotSpec& robot, const Checker& checker) {
-  const int slots = robot.family == robot::WireFamily::kGo ? kGoSlots : kHgSlots;
-  int last = -1;
-  checker.Check(!robot.motors.empty(), "robot.motors", "expected at least one motor");
-  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
-    const int slot = robot.motors[i].slot;
-    const std::string key = "robot.motors." + std::to_string(i) + ".slot";
-    checker.Check(slot >= 0 && slot < slots, key,
-                  "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
-                      std::to_string(slot));
-    checker.Check(slot > last, key,
-                  "expected more than " + std::to_string(last) +
-                      ", as slots ascend and no two are alike, got " + std::to_string(slot));
-    last = slot;
-  }
-}
-
-// Whether it may be part of a DDS topic's name: words between slashes.
-bool IsTopic(const std::string& topic) {
-  const auto fits = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
-  };
-  return !topic.empty() && topic.front() != '/' && topic.back() != '/' &&
-         topic.find("//") == std::string::npos && std::all_of(topic.begin(), topic.end(), fits);
-}
-
-void CheckHand(const robot::HandSpec& hand, const std::vector<robot::MotorTypeSpec>& types,
-               const std::string& key, std::set<std::string>* joints, const Checker& checker) {
-  checker.Check(!hand.name.empty(), key + "name", "expected a name");
-  checker.Check(IsTopic(hand.topic), key + "topic",
-                "expected words of letters, digits and _ between slashes, as in dex3/left, got '" +
-                    hand.topic + "'");
-  checker.Check(!hand.motors.empty() && hand.motors.size() <= kHandMotors, key + "motors",
-                "expected 1 to " + std::to_string(kHandMotors) + ", got " +
-                    std::to_string(hand.motors.size()));
-  CheckMotors(hand.motors, types, key + "motors", joints, checker);
-}
-
-void CheckHands(const robot::RobotSpec& robot, std::set<std::string>* joints,
-                const Checker& checker) {
-  checker.Check(robot.hands.empty() || robot.family == robot::WireFamily::kHg, "robot.hands",
-                "the go family has no messages for them");
-  checker.Check(robot.hands.size() <= robot::kMostHands, "robot.hands",
-                "expected at most " + std::to_string(robot::kMostHands) + ", got " +
-                    std::to_string(robot.hands.size()));
-  std::set<std::string> topics;
-  for (std::size_t i = 0; i < robot.hands.size(); ++i) {
-    const robot::HandSpec& hand = robot.hands[i];
-    const std::string key = "robot.hands." + std::to_string(i) + ".";
-    CheckHand(hand, robot.motor_types, key, joints, checker);
-    checker.Check(topics.insert(hand.topic).second, key + "topic",
-                  "another hand has '" + hand.topic + "' already");
-  }
-}
-
-void CheckClamps(const robot::RobotSpec& robot, const Checker& checker) {
-  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
-    const std::array<double, 2>& clamp = robot.motors[i].q_clamp;
-    checker.Check(clamp[0] <= clamp[1], "robot.motors." + std::to_string(i) + ".q_clamp",
-                  "expected least before most");
-  }
-}
-
-void CheckParallel(const robot::RobotSpec& robot, const Checker& checker) {
-  const int motors = static_cast<int>(robot.motors.size());
-  std::set<int> taken;
-  for (std::size_t i = 0; i < robot.parallel.size(); ++i) {
-    const std::string pair = "robot.parallel." + std::to_string(i);
-    const auto check = [&](int index, const std::string& key) {
-      checker.Check(index >= 0 && index < motors, key,
-                    "expected 0 to " + std::to_string(motors - 1) + ", as there are " +
-                        std::to_string(motors) + " motors, got " + std::to_string(index));
-      checker.Check(taken.insert(index).second, key,
-                    "motor " + std::to_string(index) + " is in a pair already");
-    };
-    check(robot.parallel[i].pitch, pair + ".pitch");
-    check(robot.parallel[i].roll, pair + ".roll");
-    checker.Check(robot.parallel[i].roll_ratio > 0, pair + ".roll_ratio", "expected more than 0");
-  }
-}
+constexpr double kWidestView = 5.67;  // tangent of 80°
 
 void CheckDynamics(const robot::RobotSpec& robot, const Checker& checker) {
   const robot::DynamicsSpec& dynamics = robot.dynamics;
@@ -198,6 +75,20 @@ void CheckHumanoid(const robot::RobotSpec& robot, const Checker& checker) {
   check_pose(humanoid.sit_q, humanoid.sit >= 0, "sit_q", "sit");
 }
 
+// The policy's own errors name its files.
+void CheckControllers(const robot::RobotSpec& robot, const Checker& checker) {
+  const std::vector<std::string> names = motion::ControllerNames(robot.kind);
+  for (std::size_t i = 0; i < robot.services.size(); ++i) {
+    const robot::ServiceSpec& service = robot.services[i];
+    const std::string& name = service.controller;
+    checker.Check(std::ranges::count(names, name) > 0,
+                  "robot.services." + std::to_string(i) + ".controller",
+                  "no controller '" + name + "' for a robot of its kind" + DidYouMean(name, names));
+    const motion::ControllerRow* row = motion::FindController(name);
+    if (row != nullptr && row->check != nullptr) row->check(robot, service);
+  }
+}
+
 // Checks that a robot has the figures that the motion service of its kind needs.
 void CheckKind(const robot::RobotSpec& robot, const Checker& checker) {
   const std::string otherwise = ", or robot.kind other for a motion service that only damps";
@@ -217,6 +108,39 @@ void CheckApis(const robot::RobotSpec& robot, const Checker& checker) {
     checker.Check(std::find(names.begin(), names.end(), robot.apis[i]) != names.end(),
                   "robot.apis." + std::to_string(i),
                   "no api '" + robot.apis[i] + "'" + DidYouMean(robot.apis[i], names));
+  }
+}
+
+// The lens is to show each direction once: corners and middles of edges tell.
+bool IsSharp(const robot::CameraSpec& camera) {
+  const double width = camera.width, height = camera.height;
+  for (const double u : {0.0, width / 2, width}) {
+    for (const double v : {0.0, height / 2, height}) {
+      const Eigen::Vector2d direction = robot::DirectionOf(camera, {u, v});
+      const Eigen::Vector2d off = robot::PixelOf(camera, direction) - Eigen::Vector2d(u, v);
+      if (!(off.norm() < 0.1) || !(direction.norm() < kWidestView)) return false;
+    }
+  }
+  return true;
+}
+
+void CheckCameras(const robot::RobotSpec& robot, const Checker& checker) {
+  const std::vector<std::string> services =
+      services::ServiceNames({services::kApiNames.begin(), services::kApiNames.end()});
+  std::set<std::string> names, given;
+  for (std::size_t i = 0; i < robot.cameras.size(); ++i) {
+    const robot::CameraSpec& camera = robot.cameras[i];
+    const std::string key = "robot.cameras." + std::to_string(i) + ".";
+    checker.Check(!camera.name.empty(), key + "name", "expected a name");
+    checker.Check(names.insert(camera.name).second, key + "name",
+                  "there is a '" + camera.name + "' already");
+    const std::string& service = camera.service;
+    checker.Check(service.empty() || std::ranges::find(services, service) != services.end(),
+                  key + "service", "no service '" + service + "'" + NearestHint(service, services));
+    checker.Check(service.empty() || given.insert(service).second, key + "service",
+                  "'" + service + "' has a camera already");
+    checker.Check(IsSharp(camera), key + "distortion",
+                  "expected a lens that shows each direction once, within 80° of its axis");
   }
 }
 
@@ -290,7 +214,7 @@ void CheckFans(const robot::RobotSpec& robot, const Checker& checker) {
 }
 
 void CheckArmSdk(const robot::RobotSpec& robot, const Checker& checker) {
-  const int slots = robot.family == robot::WireFamily::kGo ? kGoSlots : kHgSlots;
+  const int slots = SlotsOf(robot);
   const robot::ArmSdkSpec& arms = robot.arm_sdk;
   for (const int slot : arms.slots) {
     const bool has = std::any_of(robot.motors.begin(), robot.motors.end(),
@@ -341,14 +265,8 @@ void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker) {
   checker.Check(!robot.crane_body.empty(), "robot.crane_body", "expected the name of a body");
   checker.Check(robot.mode_machine >= 0 && robot.mode_machine <= 255, "robot.mode_machine",
                 "expected 0 to 255");
-  std::set<std::string> joints;
-  CheckSlots(robot, checker);
-  CheckMotorTypes(robot.motor_types, checker);
-  CheckMotors(robot.motors, robot.motor_types, "robot.motors", &joints, checker);
-  CheckHands(robot, &joints, checker);
-  CheckParallel(robot, checker);
+  ValidateMotors(robot, checker);
   CheckDynamics(robot, checker);
-  CheckClamps(robot, checker);
   CheckBodies(robot, checker);
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);
@@ -356,7 +274,9 @@ void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker) {
   CheckStartPose(robot.default_start, "robot.default_start", checker);
   CheckKind(robot, checker);
   CheckApis(robot, checker);
+  CheckCameras(robot, checker);
   CheckHumanoid(robot, checker);
+  CheckControllers(robot, checker);
   const std::array<double, 2>& height_range = robot.motion.quadruped.height_range;
   checker.Check(height_range[0] <= height_range[1], "robot.motion.quadruped.height_range",
                 "expected least before most");

@@ -19,8 +19,8 @@
 #include "client/listening_socket.h"
 #include "ctl/ask.h"
 #include "ctl/check.h"
+#include "ctl/status_screen.h"
 #include "ctl/text.h"
-#include "ctl/watch.h"
 
 namespace understudy::ctl {
 namespace {
@@ -176,14 +176,14 @@ void CtlCommand::ShowStatus() const {
 void CtlCommand::WatchStatus(const std::filesystem::path& socket) const {
   const bool terminal = out_ == &std::cout && ::isatty(STDOUT_FILENO) != 0;
   const auto period = milliseconds{std::llround(every_ * 1000)};
-  Watch watch;
+  StatusScreen screen;
   while (true) {
     const std::string status = Ask(socket, "GET", "/status", "");
     if (json_) {
       *out_ << status << std::flush;
     } else {
       const std::string text = Read(status, [&](const ordered_json& read) {
-        return watch.Text(read, steady_clock::now().time_since_epoch());
+        return screen.Text(read, steady_clock::now().time_since_epoch());
       });
       *out_ << (terminal ? OverTheScreen(text) : text + "\n") << std::flush;
     }

@@ -14,28 +14,25 @@
 namespace understudy::ctl {
 namespace {
 
-using emulator::Field;
-using emulator::FieldKind;
 using emulator::RequestRow;
 using nlohmann::json;
+using schema::Field;
 
 // The reply to `step` comes when the steps are done, which may take long at a low speed.
 constexpr std::chrono::hours kStepPatience{24};
 
 // Returns the JSON value of the words on the command line.
 json ValueOf(const Field& field, const std::vector<std::string>& words) {
-  if (field.kind == FieldKind::kVector) {
+  if (field.type == &schema::kVector) {
     json numbers = json::array();
-    for (const std::string& word : words) numbers.push_back(emulator::ValueOf(word));
+    for (const std::string& word : words) numbers.push_back(schema::JsonOfWord(word));
     return numbers;
   }
-  const bool text = field.kind == FieldKind::kWord || field.kind == FieldKind::kKeys ||
-                    field.kind == FieldKind::kBody || field.kind == FieldKind::kName ||
-                    field.kind == FieldKind::kJson || field.kind == FieldKind::kSetting;
   // Seen from here, which need not be where the robot was started.
-  if (field.kind == FieldKind::kFile) return std::filesystem::absolute(words.front()).string();
-  if (field.kind == FieldKind::kSwitch && words.front().empty()) return true;
-  return text ? json(words.front()) : emulator::ValueOf(words.front());
+  if (field.type == &emulator::types::kFile)
+    return std::filesystem::absolute(words.front()).string();
+  if (field.type == &schema::kSwitch && words.front().empty()) return true;
+  return field.type->is_text() ? json(words.front()) : schema::JsonOfWord(words.front());
 }
 
 // Returns "lower, raise, attach, release": the requests of a group.
@@ -84,10 +81,10 @@ void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const Req
     const Field& field = row.fields[i];
     const std::string name =
         field.bare ? server::Capitals(field.key) : "--" + std::string(field.key);
-    std::string help = std::string(field.does) + ": " + emulator::Expected(field);
-    if (field.otherwise) help += " [" + emulator::NumberText(*field.otherwise) + "]";
-    const int most = field.kind == FieldKind::kVector ? 3 : 1;
-    const bool alone = field.kind == FieldKind::kSwitch && !field.bare;  // it is true then
+    std::string help = std::string(field.does) + ": " + schema::Expected(field);
+    if (field.otherwise) help += " [" + schema::NumberText(*field.otherwise) + "]";
+    const int most = field.type == &schema::kVector ? 3 : 1;
+    const bool alone = field.type == &schema::kSwitch && !field.bare;  // it is true then
     command->add_option(name, words[i], help)
         ->expected(alone ? 0 : most, most)
         ->allow_extra_args(false)

@@ -213,6 +213,9 @@ std::string StatusText(const ordered_json& status) {
   if (const std::string waits = ScriptText(status.at("script")); !waits.empty()) {
     rows.push_back({"script waits for", waits});
   }
+  for (const ordered_json& one : status.at("unserved")) {
+    rows.push_back({"nobody serves", one.at("text").get<std::string>()});
+  }
   rows.insert(rows.end(), {
                               {"crane", Crane(crane)},
                               {"crane length", Fixed(crane.at("length"), 3), "m"},
@@ -240,7 +243,7 @@ std::string DamageText(const ordered_json& snapshot) { return FieldsText(snapsho
 
 std::string FaultsText(const ordered_json& snapshot) {
   const ordered_json& faults = snapshot.at("faults");
-  return faults.empty() ? "nothing is wrong\n" : TableText(faults);
+  return faults.empty() ? "no faults\n" : TableText(faults);
 }
 
 std::string SettingsText(const ordered_json& reply) {

@@ -5,15 +5,15 @@
 
 namespace understudy::doctor {
 
-std::string_view Word(Verdict verdict) {
+std::string_view Word(CheckVerdict verdict) {
   switch (verdict) {
-    case Verdict::kOk:
+    case CheckVerdict::kOk:
       return "ok";
-    case Verdict::kWarning:
+    case CheckVerdict::kWarning:
       return "warning";
-    case Verdict::kWrong:
+    case CheckVerdict::kWrong:
       return "wrong";
-    case Verdict::kNotSeen:
+    case CheckVerdict::kNotSeen:
       break;
   }
   return "not seen";

@@ -7,19 +7,19 @@
 #include <utility>
 #include <vector>
 
-#include "doctor/evidence.h"
+#include "doctor/measurements.h"
 
 namespace understudy::doctor {
 
-enum class Verdict { kOk, kWarning, kWrong, kNotSeen };
+enum class CheckVerdict { kOk, kWarning, kWrong, kNotSeen };
 
 // Returns "ok", "warning", "wrong" or "not seen".
-std::string_view Word(Verdict verdict);
+std::string_view Word(CheckVerdict verdict);
 
 using Figures = std::vector<std::pair<std::string_view, double>>;  // by name, SI
 
 struct Finding {
-  Verdict verdict = Verdict::kOk;
+  CheckVerdict verdict = CheckVerdict::kOk;
   std::string text{};    // what was found, with figures and units
   std::string remedy{};  // what to do; "" where there is nothing to do
   Figures figures{};     // for programs
@@ -28,7 +28,7 @@ struct Finding {
 struct Check {
   std::string_view name;      // unique
   std::string_view looks_at;  // one clause, for people
-  Finding (*judge)(const Evidence& evidence);
+  Finding (*judge)(const Measurements& evidence);
 };
 
 // All of them, in the order in which they are shown: a cause stands before what follows from it.

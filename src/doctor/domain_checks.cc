@@ -2,13 +2,15 @@
 #include "base/nearest_word.h"
 #include "doctor/echo_topics.h"
 #include "doctor/findings.h"
-#include "doctor/vendor_topics.h"
 #include "robot/command_topics.h"
+#include "wire/robot_topics.h"
+#include "wire/unserved.h"
+#include "wire/who_serves.h"
 
 namespace understudy::doctor {
 namespace {
 
-Finding Domain(const Evidence& seen) {
+Finding Domain(const Measurements& seen) {
   if (!seen.no_bus.empty()) {
     return Wrong(seen.no_bus, "put right what is wrong above, or choose another --domain");
   }
@@ -22,10 +24,10 @@ Finding Domain(const Evidence& seen) {
               {{"participants", count}});
 }
 
-Finding Robots(const Evidence& seen) {
+Finding Robots(const Measurements& seen) {
   if (!seen.no_bus.empty()) return NotSeen(kNoBus);
   std::vector<std::string> speaking, silent;
-  for (const Robot& one : seen.robots) (one.speaks ? speaking : silent).push_back(one.who);
+  for (const StateWriter& one : seen.robots) (one.speaks ? speaking : silent).push_back(one.who);
   const std::size_t count = speaking.size();
   const std::string told = count == 0
                                ? "no robot speaks"
@@ -59,7 +61,7 @@ Finding Robots(const Evidence& seen) {
   return With(Ok(told), figures);
 }
 
-Finding RobotStates(const Evidence& seen) {
+Finding RobotStates(const Measurements& seen) {
   const States& states = seen.states;
   if (!seen.no_bus.empty()) return NotSeen(kNoBus);
   if (states.count < 2) return NotSeen("no robot speaks");
@@ -85,11 +87,18 @@ bool IsOf(const std::vector<std::string_view>& types, const std::string& type) {
   return std::ranges::find(types, type) != types.end();
 }
 
+// The family whose type that is; "" for a type of both or of none.
+std::string_view FamilyOf(std::string_view type) {
+  if (type.starts_with("unitree_go::")) return "go";
+  if (type.starts_with("unitree_hg::")) return "hg";
+  return "";
+}
+
 // The family of the one who writes rt/lowstate, "" if there is none, or if they differ.
-std::string_view FamilyHere(const Evidence& seen) {
+std::string_view FamilyHere(const Measurements& seen) {
   std::string_view family;
   for (const bus::Endpoint& one : seen.endpoints) {
-    if (one.topic != "rt/lowstate" || !one.writes) continue;
+    if (one.topic != wire::kLowStateName || !one.writes) continue;
     const std::string_view its = FamilyOf(one.who.type);
     if (!family.empty() && its != family) return "";
     family = its;
@@ -99,20 +108,24 @@ std::string_view FamilyHere(const Evidence& seen) {
 
 // Whether a participant reads rt/lowstate of that family, too: a robot of this program listens for
 // others of both.
-bool HearsFamily(const Evidence& seen, const bus::ParticipantKey& who, std::string_view family) {
+bool HearsFamily(const Measurements& seen, const bus::ParticipantKey& who,
+                 std::string_view family) {
   return std::ranges::any_of(seen.endpoints, [&](const bus::Endpoint& one) {
-    return one.topic == "rt/lowstate" && !one.writes && one.who.participant == who &&
+    return one.topic == wire::kLowStateName && !one.writes && one.who.participant == who &&
            FamilyOf(one.who.type) == family;
   });
 }
 
 // What is wrong with its topic and type; "" if nothing is.
-std::string WhyNotType(const Evidence& seen, const bus::Endpoint& one, std::string_view family) {
-  const std::vector<std::string_view> types = TypesOf(one.topic);
+std::string WhyNotType(const Measurements& seen, const bus::Endpoint& one,
+                       std::string_view family) {
+  const std::vector<std::string_view> types = wire::TypesOf(one.topic);
   if (types.empty()) {
     const bool low = one.writes && one.who.type.ends_with("::LowCmd_") && !IsEchoTopic(one.topic);
     if (!low) return "";
-    const std::string near = NearestWord(one.topic, VendorTopics());
+    std::vector<std::string> known;
+    for (const wire::TopicName& topic : wire::VendorTopics()) known.emplace_back(topic.name);
+    const std::string near = NearestWord(one.topic, known);
     return " a LowCmd_ that no robot reads" + (near.empty() ? "" : "; is " + near + " meant?");
   }
   if (!IsOf(types, one.who.type)) {
@@ -123,21 +136,21 @@ std::string WhyNotType(const Evidence& seen, const bus::Endpoint& one, std::stri
     return " " + one.who.type + " instead of " + expected;
   }
   const std::string_view its = FamilyOf(one.who.type);
-  const bool deaf =
-      one.topic == "rt/lowstate" && !one.writes && !HearsFamily(seen, one.who.participant, family);
+  const bool deaf = one.topic == wire::kLowStateName && !one.writes &&
+                    !HearsFamily(seen, one.who.participant, family);
   if ((robot::IsBodyCommandTopic(one.topic) || deaf) && !family.empty() && its != family) {
     return fmt::format(" the {} type, and the robot here is of {}", its, family);
   }
   return "";
 }
 
-Finding Types(const Evidence& seen) {
+Finding Types(const Measurements& seen) {
   if (!seen.no_bus.empty()) return NotSeen(kNoBus);
   const std::string_view family = FamilyHere(seen);
   std::vector<std::string> bad;
   std::size_t known = 0;
   for (const bus::Endpoint& one : seen.endpoints) {
-    if (!TypesOf(one.topic).empty()) ++known;
+    if (!wire::TypesOf(one.topic).empty()) ++known;
     if (const std::string why = WhyNotType(seen, one, family); !why.empty()) {
       bad.push_back(Whose(one) + why);
     }
@@ -154,7 +167,8 @@ Finding Types(const Evidence& seen) {
               figures);
 }
 
-// Why an endpoint of the vendor's topic and type does not match the vendor's (docs/sources.md#dds);
+// Why an endpoint of the vendor's topic and type does not match the vendor's
+// (docs/dev/sources.md#dds);
 // "" if it does.
 std::string WhyNotQos(const bus::Endpoint& one) {
   if (!one.partitions.empty()) return "partition " + one.partitions;
@@ -166,11 +180,11 @@ std::string WhyNotQos(const bus::Endpoint& one) {
   return "";
 }
 
-Finding Quality(const Evidence& seen) {
+Finding Quality(const Measurements& seen) {
   if (!seen.no_bus.empty()) return NotSeen(kNoBus);
   std::vector<std::string> bad, poor;
   for (const bus::Endpoint& one : seen.endpoints) {
-    if (!IsOf(TypesOf(one.topic), one.who.type)) continue;
+    if (!IsOf(wire::TypesOf(one.topic), one.who.type)) continue;
     if (const std::string why = WhyNotQos(one); !why.empty()) {
       bad.push_back(Whose(one) + " with " + why);
     } else if (one.writes && !one.reliable) {
@@ -192,12 +206,27 @@ Finding Quality(const Evidence& seen) {
   return With(Ok("the quality of service of all others matches the vendor's"), figures);
 }
 
+Finding Served(const Measurements& seen) {
+  if (!seen.no_bus.empty()) return NotSeen(kNoBus);
+  std::vector<std::string> waits;
+  for (const wire::Unserved& one : wire::UnservedIn(seen.endpoints)) {
+    const bus::Endpoint endpoint{.topic = one.topic, .writes = !one.reads, .who = one.who};
+    waits.push_back(Whose(endpoint) + " (served by " + wire::WhoWouldSend(one.topic) + ")");
+  }
+  const Figures figures = {{"unserved", static_cast<double>(waits.size())}};
+  if (waits.empty()) return With(Ok("each topic that is read is written"), figures);
+  return With(Warning(Listed(waits, "; ") + ": nobody here serves that",
+                      "start what serves it, or do without it"),
+              figures);
+}
+
 constexpr Check kDomainChecks[] = {
     {"domain", "can it be joined, and who is on it", Domain},
     {"robots", "who writes rt/lowstate, and who only could", Robots},
     {"states", "rate and longest pause of rt/lowstate", RobotStates},
     {"types", "are the vendor's topics read and written in the vendor's types", Types},
     {"quality", "does the quality of service of others match the vendor's", Quality},
+    {"served", "is there somebody for each topic that others read, or write to robots", Served},
 };
 
 }  // namespace

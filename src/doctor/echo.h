@@ -12,7 +12,7 @@
 #include "base/bell.h"
 #include "bus/discovery.h"
 #include "bus/participant.h"
-#include "doctor/evidence.h"
+#include "doctor/measurements.h"
 
 namespace understudy::doctor {
 

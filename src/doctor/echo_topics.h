@@ -1,5 +1,5 @@
-// The topics of the round trip: named as nothing of the vendor's, of the types of its LowCmd and
-// LowState, so that messages are as large as those.
+// Topics of the round trip: names that cannot collide with vendor topics; types of LowCmd and
+// LowState, for messages as large as those.
 #pragma once
 
 #include <cstdint>

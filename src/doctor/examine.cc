@@ -72,7 +72,7 @@ std::vector<std::uint32_t> Resolve(const std::string& host, bool loopback) {
 }
 
 // What is read without the network.
-void ReadMachine(Evidence* seen) {
+void ReadMachine(Measurements* seen) {
   const std::string& interface = seen->question.interface;
   try {
     for (const bus::NetworkInterface& one : bus::ListInterfaces()) {
@@ -133,7 +133,7 @@ class Ear {
   EchoClient* client() { return client_.get(); }
   void StartStates(Time now) { states_ = StatesWatch(now); }
 
-  void Tell(Evidence* seen) const {
+  void Tell(Measurements* seen) const {
     seen->participants = survey_.participants();
     seen->endpoints = survey_.endpoints();
     for (const bus::Neighbour& one : strangers_.speaking()) {
@@ -183,7 +183,7 @@ class Examination {
     OpenEar();
   }
 
-  Evidence Run() {
+  Measurements Run() {
     const auto dropped = ReadDropCounts(seen_.question.interface);
     if (ear_ && ear_->client() != nullptr) FindPeer();
     Measure();
@@ -307,7 +307,7 @@ class Examination {
 
   std::uint32_t session_;
   time::SteadyClock clock_;
-  Evidence seen_;
+  Measurements seen_;
   std::vector<std::uint32_t> peer_addresses_;
   Bell bell_;
   std::optional<ProbeClient> probe_;
@@ -318,7 +318,7 @@ class Examination {
 
 }  // namespace
 
-Evidence Examine(const Question& question) { return Examination(question).Run(); }
+Measurements Examine(const Question& question) { return Examination(question).Run(); }
 
 std::uint64_t Echo(const EchoOptions& options, void (*ready)(const EchoOptions& options)) {
   const Bell bell;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "doctor/evidence.h"
+#include "doctor/measurements.h"
 
 namespace understudy::doctor {
 
@@ -12,7 +12,7 @@ namespace understudy::doctor {
 // of the vendor's; without a peer it sends only DDS discovery and, on the interface, 20 datagrams a
 // second to the group of discovery. What cannot be seen is left out of the evidence. Ends early on
 // a stop signal.
-Evidence Examine(const Question& question);
+Measurements Examine(const Question& question);
 
 struct EchoOptions {
   std::string interface = "lo";

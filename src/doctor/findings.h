@@ -25,13 +25,13 @@ inline constexpr char kOwnFirewall[] =
 
 inline Finding Ok(std::string text) { return {.text = std::move(text)}; }
 inline Finding Warning(std::string text, std::string remedy) {
-  return {.verdict = Verdict::kWarning, .text = std::move(text), .remedy = std::move(remedy)};
+  return {.verdict = CheckVerdict::kWarning, .text = std::move(text), .remedy = std::move(remedy)};
 }
 inline Finding Wrong(std::string text, std::string remedy) {
-  return {.verdict = Verdict::kWrong, .text = std::move(text), .remedy = std::move(remedy)};
+  return {.verdict = CheckVerdict::kWrong, .text = std::move(text), .remedy = std::move(remedy)};
 }
 inline Finding NotSeen(std::string text, std::string remedy = "") {
-  return {.verdict = Verdict::kNotSeen, .text = std::move(text), .remedy = std::move(remedy)};
+  return {.verdict = CheckVerdict::kNotSeen, .text = std::move(text), .remedy = std::move(remedy)};
 }
 inline Finding With(Finding finding, Figures figures) {
   finding.figures = std::move(figures);
@@ -50,15 +50,15 @@ inline std::string Listed(const std::vector<std::string>& items, const char* bet
   return text;
 }
 
-inline std::string NoInterface(const Evidence& seen) {
+inline std::string NoInterface(const Measurements& seen) {
   return "there is no interface '" + seen.question.interface + "'";
 }
 
-inline Figures FiguresOf(const Tally& tally) {
+inline Figures FiguresOf(const DatagramCount& tally) {
   return {{"sent", tally.sent}, {"returned", tally.returned}};
 }
 
-inline std::string Counts(const Tally& tally) {
+inline std::string Counts(const DatagramCount& tally) {
   return fmt::format("{} of {} came back", tally.returned, tally.sent);
 }
 

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kLateWaking = 1e-3;  // s: half a period; *assumed*
 
-bool IsLoopback(const Evidence& seen) { return seen.link && seen.link->loopback; }
+bool IsLoopback(const Measurements& seen) { return seen.link && seen.link->loopback; }
 
-Finding Buffers(const Evidence& seen) {
+Finding Buffers(const Measurements& seen) {
   if (!seen.receive_buffer || !seen.send_buffer) return NotSeen("no socket could be made");
   const std::string text = fmt::format(
       "{} KiB to receive (Cyclone asks for {}), {} KiB to send ({})", *seen.receive_buffer >> 10,
@@ -27,7 +27,7 @@ Finding Buffers(const Evidence& seen) {
   return With(Warning(text, "as root: sysctl -w" + remedy), figures);
 }
 
-Finding Dropped(const Evidence& seen) {
+Finding Dropped(const Measurements& seen) {
   if (!seen.dropped) return NotSeen("the kernel did not tell");
   const DropCounts& counts = *seen.dropped;
   const std::string text = fmt::format(
@@ -49,29 +49,29 @@ Finding Dropped(const Evidence& seen) {
   return With(Ok(text), figures);
 }
 
-Finding Realtime(const Evidence& seen) {
+Finding Realtime(const Measurements& seen) {
   if (!seen.rights) return NotSeen("not asked for");
   if (seen.rights->fifo) return Ok("SCHED_FIFO is granted");
   return Warning(fmt::format("no SCHED_FIFO: the rtprio limit is {}", seen.rights->priority_limit),
-                 "an rtprio limit of 10, or CAP_SYS_NICE (docs/realtime.md)");
+                 "an rtprio limit of 10, or CAP_SYS_NICE (docs/reference/realtime.md)");
 }
 
-Finding Memory(const Evidence& seen) {
+Finding Memory(const Measurements& seen) {
   if (!seen.rights) return NotSeen("not asked for");
   if (seen.rights->locked) return Ok("may be locked");
   return Warning(fmt::format("may not be locked: the memlock limit is {} KiB",
                              seen.rights->memory_limit >> 10),
-                 "an unlimited memlock limit, or CAP_IPC_LOCK (docs/realtime.md)");
+                 "an unlimited memlock limit, or CAP_IPC_LOCK (docs/reference/realtime.md)");
 }
 
-Finding Governor(const Evidence& seen) {
+Finding Governor(const Measurements& seen) {
   if (seen.governors.empty()) return NotSeen("the kernel shows none, as in a virtual machine");
   if (seen.governors == std::vector<std::string>{"performance"}) return Ok("performance");
   return Warning(Listed(seen.governors) + ": cores slow down between two commands",
                  "as root: cpupower frequency-set -g performance");
 }
 
-Finding Load(const Evidence& seen) {
+Finding Load(const Measurements& seen) {
   if (!seen.load) return NotSeen("the kernel did not tell");
   const std::string text = fmt::format("{:.1f} on {} cores", *seen.load, seen.cores);
   const Figures figures = {{"load", *seen.load}, {"cores", seen.cores}};
@@ -81,18 +81,19 @@ Finding Load(const Evidence& seen) {
       figures);
 }
 
-Finding Wakings(const Evidence& seen) {
+Finding Wakings(const Measurements& seen) {
   const Spread& late = seen.lateness;
   if (late.count == 0) return NotSeen("nothing was measured");
   const std::string text = fmt::format("an ordinary thread woke {} late p50, {} p99, {} worst",
                                        Ms(late.p50), Ms(late.p99), Ms(late.worst));
   const Figures figures = {{"p50", late.p50}, {"p99", late.p99}, {"worst", late.worst}};
   if (late.p99 <= kLateWaking) return With(Ok(text), figures);
-  return With(Warning(text, "see load and governor; real-time rights help (docs/realtime.md)"),
-              figures);
+  return With(
+      Warning(text, "see load and governor; real-time rights help (docs/reference/realtime.md)"),
+      figures);
 }
 
-Finding ClockSource(const Evidence& seen) {
+Finding ClockSource(const Measurements& seen) {
   if (seen.clock_source.empty()) return NotSeen("the kernel did not tell");
   constexpr std::string_view kSlow[] = {"hpet", "acpi_pm", "pit", "jiffies", "refined-jiffies"};
   if (std::ranges::find(kSlow, seen.clock_source) == std::end(kSlow)) return Ok(seen.clock_source);
@@ -100,7 +101,7 @@ Finding ClockSource(const Evidence& seen) {
                  "find out in the kernel's log why it is not tsc (dmesg)");
 }
 
-Finding ClockSteps(const Evidence& seen) {
+Finding ClockSteps(const Measurements& seen) {
   const ClockCourse& clock = seen.clock;
   const Figures figures = {{"steps", clock.steps}, {"largest", clock.largest}};
   if (clock.steps == 0) return With(Ok("the system's clock did not jump"), figures);
@@ -110,7 +111,7 @@ Finding ClockSteps(const Evidence& seen) {
               figures);
 }
 
-Finding ClockSynchronised(const Evidence& seen) {
+Finding ClockSynchronised(const Measurements& seen) {
   if (!seen.sync) return NotSeen("the kernel did not tell");
   if (seen.sync->synchronised) {
     return With(Ok("to " + Ms(seen.sync->error)), {{"error", seen.sync->error}});
@@ -120,7 +121,7 @@ Finding ClockSynchronised(const Evidence& seen) {
                  "run chrony or ptp4l with phc2sys, on both machines");
 }
 
-Finding ClockApart(const Evidence& seen) {
+Finding ClockApart(const Measurements& seen) {
   if (!seen.peer) return NotSeen(kNoPeer);
   if (!seen.peer->offset) return NotSeen("no message came back from the peer");
   const ClockOffset& offset = *seen.peer->offset;

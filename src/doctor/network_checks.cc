@@ -10,7 +10,7 @@
 namespace understudy::doctor {
 namespace {
 
-// The robot's network and the motion computer's address in it (docs/sources.md#addresses).
+// The robot's network and the motion computer's address in it (docs/dev/sources.md#addresses).
 constexpr std::uint32_t kRobotNetwork = 0xC0A87B00, kRobotMask = 0xFFFFFF00, kRobot = 0xC0A87BA1;
 
 std::string Dotted(const Address& address) {
@@ -20,7 +20,7 @@ std::string Dotted(const Address& address) {
   return fmt::format("{}/{}", text, std::popcount(address.mask));
 }
 
-Finding Interface(const Evidence& seen) {
+Finding Interface(const Measurements& seen) {
   const std::string& name = seen.question.interface;
   if (!seen.link) {
     const std::string near = NearestWord(name, seen.interfaces);
@@ -35,7 +35,7 @@ Finding Interface(const Evidence& seen) {
   return Ok(name + " is up" + (seen.link->loopback ? ", and leads to this machine only" : ""));
 }
 
-Finding Addresses(const Evidence& seen) {
+Finding Addresses(const Measurements& seen) {
   const std::string& name = seen.question.interface;
   if (!seen.link) return NotSeen(NoInterface(seen));
   std::vector<Address> own;
@@ -70,7 +70,7 @@ Finding Addresses(const Evidence& seen) {
   return Ok(Dotted(*robots) + " is in a robot's network");
 }
 
-Finding MulticastFlag(const Evidence& seen) {
+Finding MulticastFlag(const Measurements& seen) {
   const std::string& name = seen.question.interface;
   if (!seen.link) return NotSeen(NoInterface(seen));
   if (seen.link->multicast) return Ok(name + " has it");
@@ -82,7 +82,7 @@ Finding MulticastFlag(const Evidence& seen) {
   return Wrong(name + " has none: DDS finds no program of another machine", on);
 }
 
-Finding MulticastRoute(const Evidence& seen) {
+Finding MulticastRoute(const Measurements& seen) {
   if (!seen.link || !seen.multicast_route) return NotSeen("the kernel did not tell");
   const std::string& name = seen.question.interface;
   if (*seen.multicast_route == name) return Ok("leads to " + name);
@@ -93,9 +93,9 @@ Finding MulticastRoute(const Evidence& seen) {
       "name " + name + " to every program; or as root: ip route add 224.0.0.0/4 dev " + name);
 }
 
-Finding MulticastHere(const Evidence& seen) {
+Finding MulticastHere(const Measurements& seen) {
   if (!seen.self_multicast) return NotSeen("no socket could be made for it");
-  const Tally& tally = *seen.self_multicast;
+  const DatagramCount& tally = *seen.self_multicast;
   if (tally.returned == tally.sent && tally.sent > 0) {
     return With(Ok(Counts(tally) + " from 239.255.0.1 to ourselves"), FiguresOf(tally));
   }

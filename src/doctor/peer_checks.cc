@@ -10,12 +10,14 @@ namespace {
 constexpr double kDampingAfter = 0.2;  // s: gate.timeout's default, after which the motors damp
 constexpr double kLostWrong = 0.01;    // share of messages
 
-std::string EchoThere(const Evidence& seen) {
-  return fmt::format("on {}: understudy doctor --echo --domain {} --interface ...",
-                     seen.question.peer, seen.question.domain);
+std::string EchoThere(const Measurements& seen) {
+  return fmt::format(
+      "on {0}: understudy doctor --echo --domain {1} --interface ..., or where it is not installed "
+      "examples/python/doctor_echo.py --domain {1} --interface ...",
+      seen.question.peer, seen.question.domain);
 }
 
-Finding PeerFound(const Evidence& seen) {
+Finding PeerFound(const Measurements& seen) {
   if (!seen.peer) return NotSeen(kNoPeer, "name one with --peer, once it runs doctor --echo");
   if (seen.peer->found) return Ok(seen.peer->who);
   if (!seen.no_bus.empty()) return NotSeen(kNoBus);
@@ -24,7 +26,7 @@ Finding PeerFound(const Evidence& seen) {
 }
 
 // `what` was asked of the peer, by datagrams beside DDS.
-Finding Datagrams(const Evidence& seen, const Tally& tally, const std::string& remedy) {
+Finding Datagrams(const Measurements& seen, const DatagramCount& tally, const std::string& remedy) {
   if (seen.peer->no_address) return NotSeen(*seen.peer->no_address, "give --peer an address");
   const auto judged = [&](Finding finding) { return With(std::move(finding), FiguresOf(tally)); };
   if (tally.sent > 0 && tally.returned >= tally.sent) return judged(Ok(Counts(tally)));
@@ -51,7 +53,7 @@ Finding Datagrams(const Evidence& seen, const Tally& tally, const std::string& r
   }
 }
 
-Finding PeerUnicast(const Evidence& seen) {
+Finding PeerUnicast(const Measurements& seen) {
   if (!seen.peer) return NotSeen(kNoPeer);
   return Datagrams(seen, seen.peer->unicast,
                    "a firewall, there or here, drops it, or nothing is there: " + EchoThere(seen));
@@ -61,20 +63,20 @@ constexpr char kMulticastWay[] =
     "a firewall, or a switch or access point that does not pass multicast (IGMP snooping without a "
     "querier): connect the two directly to tell which";
 
-Finding PeerMulticast(const Evidence& seen) {
+Finding PeerMulticast(const Measurements& seen) {
   if (!seen.peer) return NotSeen(kNoPeer);
   return Datagrams(seen, seen.peer->multicast, kMulticastWay);
 }
 
-Finding MulticastFromPeer(const Evidence& seen) {
+Finding MulticastFromPeer(const Measurements& seen) {
   if (!seen.peer) return NotSeen(kNoPeer);
   if (seen.peer->unicast.returned == 0) return NotSeen("no datagram comes back from the peer");
   return Datagrams(seen, seen.peer->from_peer, kMulticastWay);
 }
 
 // Its rules are for root to read, by one of several tools. What it does is for everybody to see.
-Finding Firewall(const Evidence& seen) {
-  const auto forbidden = [](const Tally& tally) { return tally.error == EPERM; };
+Finding Firewall(const Measurements& seen) {
+  const auto forbidden = [](const DatagramCount& tally) { return tally.error == EPERM; };
   const bool here = seen.self_multicast && forbidden(*seen.self_multicast);
   if (here || (seen.peer && (forbidden(seen.peer->unicast) || forbidden(seen.peer->multicast)))) {
     return Wrong("this machine's firewall forbids it to send", kOwnFirewall);
@@ -83,7 +85,7 @@ Finding Firewall(const Evidence& seen) {
     return NotSeen("firewall rules are not read", "name a --peer: packets to it show what passes");
   }
   const Peer& peer = *seen.peer;
-  const auto passes = [](const Tally& tally) { return tally.returned > 0; };
+  const auto passes = [](const DatagramCount& tally) { return tally.returned > 0; };
   if (passes(peer.unicast) && passes(peer.multicast) && passes(peer.from_peer)) {
     return Ok("neither this machine's firewall nor the peer's stops what was sent");
   }
@@ -94,7 +96,7 @@ Finding Firewall(const Evidence& seen) {
   return NotSeen("firewall rules are not read; the rows above tell what does not pass");
 }
 
-Finding RoundTrip(const Evidence& seen) {
+Finding RoundTrip(const Measurements& seen) {
   if (!seen.peer) return NotSeen(kNoPeer);
   const Peer& peer = *seen.peer;
   if (peer.sent == 0) return NotSeen("the peer was not found");
@@ -129,7 +131,7 @@ constexpr Check kPeerChecks[] = {
     {"peer unicast", "datagrams to the peer and back", PeerUnicast},
     {"peer multicast", "datagrams to the group of DDS, which the peer answers", PeerMulticast},
     {"from peer", "answers that the peer sends to the group of DDS", MulticastFromPeer},
-    {"firewall", "what the datagrams tell of it", Firewall},
+    {"firewall", "what the datagrams show", Firewall},
     {"round trip", "messages as large, frequent and reliable as LowCmd and LowState", RoundTrip},
 };
 

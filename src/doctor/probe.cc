@@ -171,7 +171,7 @@ ProbeClient::ProbeClient(const std::string& interface, std::uint32_t address, in
   const ip_mreqn group = GroupOn(interface, address);
   Join(group_, group);
   Require(SetOption(own_, IP_MULTICAST_IF, group), "sending to 239.255.0.1");
-  SetOption(own_, IP_RECVERR, 1);  // what comes back as ICMP is told
+  SetOption(own_, IP_RECVERR, 1);  // reports ICMP errors
 }
 
 void ProbeClient::Ask() {
@@ -182,7 +182,7 @@ void ProbeClient::Ask() {
   if (peer_ != 0) Send(DatagramKind::kAskOne, peer_, &unicast_);
 }
 
-void ProbeClient::Send(DatagramKind kind, std::uint32_t to, Tally* tally) {
+void ProbeClient::Send(DatagramKind kind, std::uint32_t to, DatagramCount* tally) {
   ++tally->sent;
   const Datagram datagram{.kind = kind, .session = session_, .number = number_};
   int error = SendTo(own_.get(), datagram, To(to, port_));
@@ -226,7 +226,7 @@ void ProbeClient::Note(const Datagram& datagram, std::uint32_t from) {
   }
 }
 
-void ProbeClient::Count(std::uint32_t number, std::vector<bool>* seen, Tally* tally) {
+void ProbeClient::Count(std::uint32_t number, std::vector<bool>* seen, DatagramCount* tally) {
   constexpr std::uint32_t kMost = 1U << 20U;
   if (number > kMost) return;
   if (seen->size() <= number) seen->resize(number + 1);
@@ -235,8 +235,8 @@ void ProbeClient::Count(std::uint32_t number, std::vector<bool>* seen, Tally* ta
   ++tally->returned;
 }
 
-Tally ProbeClient::from_peer() const {
-  Tally tally = from_peer_;
+DatagramCount ProbeClient::from_peer() const {
+  DatagramCount tally = from_peer_;
   tally.sent = std::max(unicast_.returned, from_peer_.returned);
   return tally;
 }

@@ -12,7 +12,7 @@
 #include <netinet/in.h>
 
 #include "base/unique_fd.h"
-#include "doctor/evidence.h"
+#include "doctor/measurements.h"
 
 namespace understudy::doctor {
 
@@ -46,7 +46,7 @@ std::array<std::byte, kDatagramBytes> Encode(const Datagram& datagram);
 // Returns nullopt for what Encode does not make. Control characters in the name are replaced.
 std::optional<Datagram> Decode(std::span<const std::byte> bytes);
 
-// Answers, on one interface and domain, to whoever asks.
+// Answers all clients on one interface and domain.
 class ProbeServer {
  public:
   // `address` is the interface's own, in the host's byte order. Throws BusError if the port cannot
@@ -83,15 +83,15 @@ class ProbeClient {
   int own_fd() const { return own_.get(); }
   int group_fd() const { return group_.get(); }
 
-  const Tally& self_multicast() const { return self_; }
-  const Tally& unicast() const { return unicast_; }
-  const Tally& multicast() const { return multicast_; }
-  Tally from_peer() const;  // asked as often as unicast() was answered
+  const DatagramCount& self_multicast() const { return self_; }
+  const DatagramCount& unicast() const { return unicast_; }
+  const DatagramCount& multicast() const { return multicast_; }
+  DatagramCount from_peer() const;  // asked as often as unicast() was answered
 
  private:
   // Counts a number once.
-  static void Count(std::uint32_t number, std::vector<bool>* seen, Tally* tally);
-  void Send(DatagramKind kind, std::uint32_t to, Tally* tally);
+  static void Count(std::uint32_t number, std::vector<bool>* seen, DatagramCount* tally);
+  void Send(DatagramKind kind, std::uint32_t to, DatagramCount* tally);
   void Take(int socket);
   void Note(const Datagram& datagram, std::uint32_t from);
 
@@ -101,7 +101,7 @@ class ProbeClient {
   UniqueFd own_, group_;
   std::uint32_t peer_ = 0;
   std::uint32_t number_ = 0;
-  Tally self_, unicast_, multicast_, from_peer_;
+  DatagramCount self_, unicast_, multicast_, from_peer_;
   std::vector<bool> self_seen_, unicast_seen_, multicast_seen_, from_peer_seen_;
 };
 

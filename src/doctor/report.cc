@@ -8,26 +8,28 @@
 namespace understudy::doctor {
 namespace {
 
-std::size_t CountOf(const std::vector<Result>& results, Verdict verdict) {
+std::size_t CountOf(const std::vector<CheckResult>& results, CheckVerdict verdict) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      results, [&](const Result& one) { return one.finding.verdict == verdict; }));
+      results, [&](const CheckResult& one) { return one.finding.verdict == verdict; }));
 }
 
 }  // namespace
 
-std::vector<Result> Judge(const Evidence& evidence) {
-  std::vector<Result> results;
+std::vector<CheckResult> Judge(const Measurements& evidence) {
+  std::vector<CheckResult> results;
   for (const Check& check : Checks()) {
     results.push_back({.check = &check, .finding = check.judge(evidence)});
   }
   return results;
 }
 
-bool AnyWrong(const std::vector<Result>& results) { return CountOf(results, Verdict::kWrong) > 0; }
+bool AnyWrong(const std::vector<CheckResult>& results) {
+  return CountOf(results, CheckVerdict::kWrong) > 0;
+}
 
-std::string ReportText(const std::vector<Result>& results) {
+std::string ReportText(const std::vector<CheckResult>& results) {
   std::size_t verdicts = 0, names = 0;
-  for (const Result& one : results) {
+  for (const CheckResult& one : results) {
     verdicts = std::max(verdicts, Word(one.finding.verdict).size());
     names = std::max(names, one.check->name.size());
   }
@@ -39,11 +41,13 @@ std::string ReportText(const std::vector<Result>& results) {
     text += '\n';
   }
   return text + fmt::format("{} wrong, {} warnings, {} ok, {} not seen\n",
-                            CountOf(results, Verdict::kWrong), CountOf(results, Verdict::kWarning),
-                            CountOf(results, Verdict::kOk), CountOf(results, Verdict::kNotSeen));
+                            CountOf(results, CheckVerdict::kWrong),
+                            CountOf(results, CheckVerdict::kWarning),
+                            CountOf(results, CheckVerdict::kOk),
+                            CountOf(results, CheckVerdict::kNotSeen));
 }
 
-std::string ReportJson(const Question& question, const std::vector<Result>& results) {
+std::string ReportJson(const Question& question, const std::vector<CheckResult>& results) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& [check, finding] : results) {
     nlohmann::ordered_json figures = nlohmann::ordered_json::object();
@@ -58,8 +62,8 @@ std::string ReportJson(const Question& question, const std::vector<Result>& resu
                                          {"domain", question.domain},
                                          {"seconds", question.seconds},
                                          {"peer", question.peer},
-                                         {"wrong", CountOf(results, Verdict::kWrong)},
-                                         {"warnings", CountOf(results, Verdict::kWarning)},
+                                         {"wrong", CountOf(results, CheckVerdict::kWrong)},
+                                         {"warnings", CountOf(results, CheckVerdict::kWarning)},
                                          {"checks", list}};
   return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

@@ -8,22 +8,22 @@
 
 namespace understudy::doctor {
 
-struct Result {
+struct CheckResult {
   const Check* check = nullptr;
   Finding finding{};
 };
 
 // Judges every check, in their order.
-std::vector<Result> Judge(const Evidence& evidence);
+std::vector<CheckResult> Judge(const Measurements& evidence);
 
 // Returns whether a finding is wrong.
-bool AnyWrong(const std::vector<Result>& results);
+bool AnyWrong(const std::vector<CheckResult>& results);
 
 // One line for each, in columns: verdict, name, finding, and behind an arrow what to do; then a
 // line that counts them.
-std::string ReportText(const std::vector<Result>& results);
+std::string ReportText(const std::vector<CheckResult>& results);
 
-// One JSON document, docs/doctor.md. Bytes that are not UTF-8 are replaced.
-std::string ReportJson(const Question& question, const std::vector<Result>& results);
+// One JSON document, docs/reference/doctor.md. Bytes that are not UTF-8 are replaced.
+std::string ReportJson(const Question& question, const std::vector<CheckResult>& results);
 
 }  // namespace understudy::doctor

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "doctor/evidence.h"
+#include "doctor/measurements.h"
 #include "time/clock.h"
 
 namespace understudy::doctor {

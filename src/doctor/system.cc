@@ -66,15 +66,15 @@ double Seconds(clockid_t clock) {
 
 }  // namespace
 
-std::optional<Link> ReadLink(const std::string& interface) {
-  std::optional<Link> link;
+std::optional<LinkState> ReadLink(const std::string& interface) {
+  std::optional<LinkState> link;
   ForEachAddress([&](const ifaddrs& one) {
     if (link || interface != one.ifa_name) return;
     const auto has = [&](unsigned flag) { return (one.ifa_flags & flag) != 0; };
-    link = Link{.up = has(IFF_UP),
-                .running = has(kLowerUp),
-                .multicast = has(IFF_MULTICAST),
-                .loopback = has(IFF_LOOPBACK)};
+    link = LinkState{.up = has(IFF_UP),
+                     .running = has(kLowerUp),
+                     .multicast = has(IFF_MULTICAST),
+                     .loopback = has(IFF_LOOPBACK)};
   });
   return link;
 }

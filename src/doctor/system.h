@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "doctor/evidence.h"
+#include "doctor/measurements.h"
 
 namespace understudy::doctor {
 
 // Returns nullopt if there is no interface of that name.
-std::optional<Link> ReadLink(const std::string& interface);
+std::optional<LinkState> ReadLink(const std::string& interface);
 // Returns those of all interfaces that are up.
 std::vector<Address> ReadAddresses();
 // Returns the first of the interface's own, in the host's byte order; 0 for none.

@@ -9,6 +9,7 @@
 #include "robot/refusal_text.h"
 #include "robot/remote_keys.h"
 #include "services/service_port.h"
+#include "wire/who_serves.h"
 
 namespace understudy::emulator {
 namespace {
@@ -20,6 +21,11 @@ std::string What(const Event& event) { return event.text.data(); }
 
 // "lying (1004)": a state of a motion service with the vendor's id.
 std::string StateText(const std::string& name, double id) { return name + Printed(" (%.0f)", id); }
+
+// What helps a program whose types differ in no more than their definition.
+constexpr const char* kOtherCyclone =
+    "; in Python `pip install cyclonedds==0.10.2` helps, as the vendor's SDK needs it, else build "
+    "it with the vendor's IDL";
 
 bool On(const Event& event) { return event.numbers[0] != 0; }
 
@@ -88,9 +94,17 @@ std::string SayCallRefusal(const Event& event, std::uint64_t) {
   return text + (answered ? "; code " + Printed("%.0f", event.numbers[1]) : "; not answered");
 }
 
+std::string SayUnserved(const Event& event, std::uint64_t) {
+  const std::string who =
+      event.numbers[1] == 0 ? "a program" : Printed("process %.0f", event.numbers[1]);
+  return who + (On(event) ? " waits for " : " writes ") + What(event) + ", which nobody here " +
+         (On(event) ? "sends; it would come from " : "reads; it is for ") +
+         wire::WhoWouldSend(What(event));
+}
+
 std::string SayTimeout(const Event& event, std::uint64_t count) {
   return MessageOf(event) +
-         (IsOfHand(event) ? " stopped: watched motors lock until mode's bit 7 is 0"
+         (IsOfHand(event) ? " stopped: watched motors lock until the next one"
                           : " stopped: motors are damping until the next one") +
          Times(count);
 }
@@ -151,8 +165,14 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "commands are replaced by newer ones before they are read, or lost by the bus"),
     Row(
         EventKind::kUnmatched, "unmatched", kWarning, true, {{{"writer", kText}}},
-        [](const Event& e, std::uint64_t) { return "nothing arrives on " + What(e); },
+        [](const Event& e, std::uint64_t) {
+          const bool other = What(e).find("another definition") != std::string::npos;
+          return "nothing arrives on " + What(e) + (other ? kOtherCyclone : "");
+        },
         "somebody writes a topic of the robot with another type or quality of service"),
+    Row(EventKind::kUnserved, "unserved", kWarning, false,
+        {{{"reads", kBool}, {"process", kInteger}, {"topic", kText}}}, SayUnserved,
+        "a program reads a topic that nobody writes, or writes one of robots that nobody reads"),
     Row(EventKind::kTimeout, "timeout", kWarning, true, {{{"topic", kText}}}, SayTimeout,
         "commands stop"),
     Row(
@@ -168,6 +188,15 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "the first command of `rt/lowcmd` that asks a joint for an angle is taken; `jump` is the "
         "largest difference from a joint's own in `rt/lowstate` [rad], `joint` is the one"),
+    Row(
+        EventKind::kUnheld, "unheld", kWarning, false, {{{"joints", kInteger}, {"which", kText}}},
+        [](const Event& e, std::uint64_t) {
+          const double more = e.numbers[0] - kMostNamed;
+          return What(e) + (more > 0 ? Printed(" and %.0f more", more) : "") +
+                 ": kp and tau of their commands are 0, so nothing holds them";
+        },
+        "the first command of a topic holds some joints and leaves others without gains and "
+        "torque"),
     Row(
         EventKind::kGate, "gate", kSilent, false, {{{"state", kGate}}},
         [](const Event& e, std::uint64_t) {
@@ -204,7 +233,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kRequest, "request", kSilent, false, {},
         [](const Event& e, std::uint64_t) { return e.request.row ? Describe(e.request) : ""; },
         "somebody makes a request that has no event of its own; reported under the name of [the "
-        "request](requests.md), such as `push`"),
+        "request](reference/requests.md), such as `push`"),
     Row(
         EventKind::kCrane, "crane", kSilent, false, {{{"attached", kBool}}},
         [](const Event& e, std::uint64_t) -> std::string {
@@ -274,7 +303,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           {"joint", kText}}},
         SayProtection,
         "the motion service protects the robot from a danger of [robot.motion.protection]"
-        "(config.md), or no longer"),
+        "(reference/config.md), or no longer"),
     Row(
         EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
@@ -299,8 +328,9 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         {{{"event", kInteger}, {"seconds", kNumber}, {"came", kBool}, {"condition", kText}}},
         [](const Event& e, std::uint64_t) {
           const std::string seconds = Printed("%.3f s", e.numbers[1]);
-          return e.numbers[2] != 0 ? "script: waited " + seconds + " for '" + What(e) + "'"
-                                   : "script: waited " + seconds + " in vain for '" + What(e) + "'";
+          return e.numbers[2] != 0
+                     ? "script: waited " + seconds + " for '" + What(e) + "'"
+                     : "script: timed out after " + seconds + " waiting for '" + What(e) + "'";
         },
         "what a script waited for has come, or the script waits no longer"),
     Row(
@@ -314,7 +344,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         [](const Event& e, std::uint64_t) -> std::string {
           return On(e) ? "sends nothing, because another robot is on this network" : "sends again";
         },
-        "the robot falls silent beside another robot, or speaks again"),
+        "the robot stops publishing beside another robot, or publishes again"),
     Row(
         EventKind::kWriters, "writers", kWarning, true, {{{"writers", kInteger}}},
         [](const Event& e, std::uint64_t) {
@@ -373,7 +403,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           {"state", kInteger},
           {"calls", kSum},
           {"call", kText}}},
-        SayCallRefusal, "a call of a service is refused or ignored, whatever is answered"),
+        SayCallRefusal, "a call of a service is refused or ignored"),
     Row(
         EventKind::kProgramStart, "program_start", kInfo, false, {{{"command", kText}}},
         [](const Event& e, std::uint64_t) { return "starting " + What(e); },
@@ -416,6 +446,27 @@ static_assert([] {
 }());
 
 }  // namespace
+
+bool IsOfWorld(EventKind kind) {
+  using enum EventKind;
+  switch (kind) {
+    case kPause:
+    case kSpeed:
+    case kScript:
+    case kScriptRefused:
+    case kScriptWait:
+    case kDivergence:
+    case kOverrun:
+    case kStall:
+    case kProgramStart:
+    case kProgramEnd:
+    case kProgramPrints:
+    case kLost:
+      return true;
+    default:
+      return false;
+  }
+}
 
 std::span<const EventRow, kEventKinds> EventTable() { return kRows; }
 

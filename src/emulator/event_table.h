@@ -53,6 +53,9 @@ struct EventRow {
   std::string_view when;                                        // it happens
 };
 
+// Whether events of the kind are of the world and not of one of its robots.
+bool IsOfWorld(EventKind kind);
+
 std::span<const EventRow, kEventKinds> EventTable();
 const EventRow& RowOf(EventKind kind);
 

@@ -21,9 +21,11 @@ enum class EventKind : std::uint8_t {
   kTolerated,
   kLostCommands,
   kUnmatched,
+  kUnserved,
   kTimeout,
   kFollowing,
   kFirstCommand,
+  kUnheld,
   kGate,
   kMotionService,
   kMotion,
@@ -75,6 +77,9 @@ struct Event {
   std::array<char, 120> text{};  // cut to fit, with a zero at its end
   Request request{};
 };
+
+// Names that a kUnheld has, of however many joints.
+inline constexpr std::size_t kMostNamed = 3;
 
 // Returns `text` as Event::text has it.
 template <std::size_t kRoom>

@@ -1,8 +1,8 @@
 // Passes requests to the tick and its answers back.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <future>
 #include <mutex>
@@ -30,7 +30,11 @@ class Reply {
 // for an answer.
 class Inbox {
  public:
-  using WallTime = std::chrono::steady_clock::time_point;
+  // A request in the inbox.
+  struct Asked {
+    std::uint64_t number;
+    std::future<Answer> answer;
+  };
 
   static constexpr std::size_t kCapacity = 64;
   // The most requests per drain, which bounds the length of a tick; *assumed*. A reset, which takes
@@ -40,42 +44,44 @@ class Inbox {
   // Throws std::system_error if no file descriptor is available.
   Inbox();
 
-  // Adds a request, from any thread but the tick's. The future gets the tick's answer. A request
-  // that the tick reaches later than `until` is dropped, so a caller that has given up can rely on
-  // that. Returns nullopt if the inbox is full. May wait while the tick drains.
-  std::optional<std::future<Answer>> Put(const Request& request, WallTime until);
+  // Adds a request, from any thread but the tick's. The future gets the tick's answer. Returns
+  // nullopt if the inbox is full.
+  std::optional<Asked> Put(const Request& request);
+
+  // Takes a request back, which then is never carried out. Returns false if the tick was faster:
+  // then its answer is there or comes.
+  bool Withdraw(std::uint64_t number);
 
   // An eventfd that becomes readable when answers were given.
   int bell() const { return bell_.get(); }
 
-  // Called by the tick at wall time `now`: calls std::optional<Answer> carry_out(Request*, Reply*)
-  // for waiting requests in order of arrival, at most kMostAtOnce. carry_out returns nullopt if it
-  // keeps the reply to answer later; it must not throw or call the inbox. While another thread uses
-  // the inbox, Drain does nothing and the next tick tries again.
+  // Called by the tick: calls std::optional<Answer> carry_out(Request*, Reply*) for waiting
+  // requests in order of arrival, at most kMostAtOnce. carry_out returns nullopt if it keeps the
+  // reply to answer later; it must not throw. Other threads do not wait for it. While one of them
+  // uses the inbox, Drain returns and the next tick tries again.
   template <class CarryOut>
-  void Drain(WallTime::duration now, CarryOut&& carry_out) {
-    const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (!lock) return;
-    for (std::size_t done = 0; done < kMostAtOnce && !waiting_.empty(); ++done) {
-      Entry& entry = waiting_.front();
-      const bool late = now > entry.until.time_since_epoch();
-      if (!late && entry.request.row->name == "reset") done = kMostAtOnce;
-      std::optional<Answer> answer = late ? Answer{Error{"the request came too late"}}
-                                          : carry_out(&entry.request, &entry.reply);
-      if (answer) entry.reply.Give(*std::move(answer));
-      waiting_.pop_front();
+  void Drain(CarryOut&& carry_out) {
+    for (std::size_t done = 0; done < kMostAtOnce; ++done) {
+      std::optional<Entry> entry = Take();
+      if (!entry) return;
+      if (entry->request.row->name == "reset") done = kMostAtOnce;
+      std::optional<Answer> answer = carry_out(&entry->request, &entry->reply);
+      if (answer) entry->reply.Give(*std::move(answer));
     }
   }
 
  private:
   struct Entry {
+    std::uint64_t number;
     Request request;
-    WallTime until;
     Reply reply;
   };
 
+  std::optional<Entry> Take();
+
   UniqueFd bell_;
   std::mutex mutex_;
+  std::uint64_t put_ = 0;  // requests so far
   std::deque<Entry> waiting_;
 };
 

@@ -46,6 +46,8 @@ constexpr LiveSetting kLive[] = {
     UNDERSTUDY_LIVE_SENSOR(thermometer.offset_c),
     UNDERSTUDY_LIVE_SENSOR(odometer.scale),
     UNDERSTUDY_LIVE_SENSOR(odometer.walk),
+    UNDERSTUDY_LIVE_SENSOR(odometer.shortfall),
+    UNDERSTUDY_LIVE_SENSOR(odometer.turn),
     UNDERSTUDY_LIVE_ROBOT("gate.mode", gate.lenient),
     UNDERSTUDY_LIVE_ROBOT("gate.timeout", gate.timeout),
     UNDERSTUDY_LIVE_ROBOT("motion.fight", motion.fight),
@@ -70,6 +72,7 @@ constexpr FixedSetting kFixed[] = {
     {"sensors.seed", "what is drawn has been drawn from it"},
     {"sensors.imu.attitude", "a filter that has not run knows no attitude"},
     {"sensors.imu.latency", "readings under way would be lost"},
+    {"sensors.odometer.legs", "the way so far is that of the one or of the other"},
     {"sensors.encoder.", "`fault JOINT.encoder offset` does that"},
     {"gate.damping_kd", "commands made at the start have it"},
     {"motion.service", "`service.call motion_switcher` changes it"},
@@ -95,26 +98,27 @@ Result<std::size_t> FindSetting(std::string_view key) {
   const std::string hint = NearestHint(key, keys);
   const auto* const fixed = std::ranges::find_if(
       kFixed, [&](const FixedSetting& one) { return key.starts_with(one.begins); });
-  const std::string got = "expected a key that can change, got " + Shown(std::string(key));
+  const std::string got =
+      "expected a key that can change, got " + schema::Node(nlohmann::json(key)).shown();
   if (fixed != std::end(kFixed)) return Error{got + ": " + std::string(fixed->why) + hint};
   return Error{got + (hint.empty() ? "; `ctl set` lists them" : hint)};
 }
 
-Result<double> SettingNumber(const SettingKey& key, const Request& request) {
+Result<double> SettingNumber(const schema::Entry& key, const Request& request) {
   const std::string_view text = request.setting();
   if (text.empty()) {
     const double number = request.number("value");
-    if (key.words.empty() && number >= key.low && number <= key.high) return number;
+    if (key.words.empty() && number >= key.range.min && number <= key.range.max) return number;
     return Error{key.key + ": expected " + key.expected + ", got " + NumberText(number)};
   }
-  const std::string_view word = !key.is_switch() ? text
-                                : text == "on"   ? "true"
-                                : text == "off"  ? "false"
-                                                 : text;
+  const std::string_view word = key.type != &schema::kSwitch ? text
+                                : text == "on"               ? "true"
+                                : text == "off"              ? "false"
+                                                             : text;
   const auto found = std::ranges::find(key.words, word);
   if (found != key.words.end()) return static_cast<double>(found - key.words.begin());
-  return Error{key.key + ": expected " + key.expected + ", got " + Shown(std::string(text)) +
-               NearestHint(text, key.words)};
+  return Error{key.key + ": expected " + key.expected + ", got " +
+               schema::Node(nlohmann::json(text)).shown() + NearestHint(text, key.words)};
 }
 
 }  // namespace understudy::emulator

@@ -35,6 +35,6 @@ Result<std::size_t> FindSetting(std::string_view key);
 
 // Returns the number that stands for the value of a request for `key`: itself, or the place of its
 // word; or an Error with what was expected. Allocates only then.
-Result<double> SettingNumber(const SettingKey& key, const Request& request);
+Result<double> SettingNumber(const schema::Entry& key, const Request& request);
 
 }  // namespace understudy::emulator

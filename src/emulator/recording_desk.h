@@ -1,4 +1,4 @@
-// Passes requests to start and to end a recording on to the one who records.
+// Passes requests to start and to end a recording on to the recorder.
 #pragma once
 
 #include <algorithm>

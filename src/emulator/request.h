@@ -5,9 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/result.h"
+#include "schema/field.h"
 
 namespace understudy::emulator {
 
@@ -26,34 +24,20 @@ struct Request;
 // The result of a request.
 using Answer = Result<>;
 
-enum class FieldKind : std::uint8_t {
-  kNumber,
-  kWhole,    // a number without a fraction
-  kVector,   // three numbers
-  kSwitch,   // true or false; also on and off
-  kSpeed,    // as time::IsSpeed has it, or max, which is stored as 0
-  kWord,     // one of the field's words, stored as its index
-  kKeys,     // of the remote controller, as in L2+B, stored as bits; "" is valid if `low` is 0
-  kBody,     // the name of a body of the model
-  kName,     // another name
-  kJson,     // JSON, as text
-  kFile,     // a path on the robot's machine
-  kSetting,  // a key of LiveSettings
-  kValue,    // of a setting: a number, true, false or a word
-};
+using schema::Field;
 
-// One value of a request.
-struct Field {
-  std::string_view key;
-  FieldKind kind = FieldKind::kNumber;
-  std::string_view unit{};
-  double low = 0, high = 0;  // of each number, inclusive
-  std::string_view does{};
-  std::span<const std::string_view> words{};  // of kWord
-  std::optional<double> otherwise{};          // default of each number
-  bool required = false;
-  bool bare = false;  // on the command line a positional word, not --key
-};
+// The types of values that only requests have.
+namespace types {
+extern const schema::Type kSpeed;      // as time::IsSpeed has it, or max, which is 0
+extern const schema::Type kKeys;       // of the remote controller, as in L2+B, stored as bits
+extern const schema::Type kMaybeKeys;  // the same, or "" for none
+extern const schema::Type kBody;       // the name of a body of the model
+extern const schema::Type kName;       // another name
+extern const schema::Type kJson;       // JSON, as text
+extern const schema::Type kFile;       // a path on the robot's machine
+extern const schema::Type kSetting;    // a key of LiveSettings
+extern const schema::Type kValue;      // of a setting: a number, true, false or a word
+}  // namespace types
 
 // Who may make the request. Scripts do not run while paused, so they cannot resume or step.
 enum class From : std::uint8_t { kBoth, kPeople, kScript };
@@ -87,7 +71,7 @@ struct Request {
   std::array<std::array<double, 3>, kMostFields> numbers{};
   std::array<bool, kMostFields> given{};
   std::array<char, kLongestName + 1> text{};       // of the name field, "" if not given
-  std::array<char, kLongestText + 1> long_text{};  // of the JSON, file or value field, likewise
+  std::array<char, kLongestText + 1> long_text{};  // of the JSON, file or value field, or ""
 
   // Look up a field by its key, which the row must have. The value is the default if it was not
   // given.
@@ -115,8 +99,8 @@ struct Request {
 
 // The field that every request has besides those of its row.
 inline constexpr Field kRobotField{.key = "robot",
-                                   .kind = FieldKind::kWhole,
-                                   .high = 255,
+                                   .type = &schema::kWhole,
+                                   .range = {0, 255},
                                    .does = "Number in the world",
                                    .otherwise = 0};
 
@@ -141,16 +125,7 @@ nlohmann::ordered_json ValuesOf(const Request& request);
 // Returns name and given values, as in "push base_link 0 50 0 N for 0.1 s".
 std::string Describe(const Request& request);
 
-// Returns what a field takes: "a number from -10 to 10 m".
-std::string Expected(const Field& field);
-
-// Formats a value for a message: replaces invalid UTF-8 and shortens long values.
-std::string Shown(const nlohmann::json& value);
-
 // Formats a number as short as possible: "0.25", "1000000".
 std::string NumberText(double number);
-
-// Parses a word of a command line or an unquoted YAML value: a number, true, false, or text.
-nlohmann::json ValueOf(const std::string& word);
 
 }  // namespace understudy::emulator

@@ -52,6 +52,11 @@ RequestRow Lists(std::string_view path, RequestRow row) {
   return row;
 }
 
+Field Ranged(std::string_view key, const schema::Type& type, std::string_view unit, double least,
+             double most, std::string_view does) {
+  return {key, &type, unit, {least, most}, does};
+}
+
 Field Needed(Field field) {
   field.required = true;
   return field;
@@ -71,10 +76,14 @@ Field Or(double otherwise, Field field) {
 
 struct RequestActs {
   // Returns the id of the named body, which must be movable; by default the base, whose name is
-  // then filled in.
+  // then filled in. The request is then one to the robot that has the body, if any has it.
   static Result<int> BodyOf(const World& world, const Robot& robot, Request* request) {
     if (!request->has("body")) request->SetName("body", robot.spec().base_body);
-    return FindBody(world.physics_, request->robot, request->name());
+    auto body = FindBody(world.physics_, request->robot, request->name());
+    for (std::size_t i = 0; body && i < world.robots_.size(); ++i) {
+      if (world.physics_.robot(i).Has(*body)) request->robot = i;
+    }
+    return body;
   }
 
   // Even the shortest push acts in one step.
@@ -108,16 +117,29 @@ struct RequestActs {
     return {};
   }
 
-  static Answer Reset(World& world, Robot& robot, Request& request, double) {
-    if (!request.has("pose")) request.SetNumber("pose", static_cast<double>(robot.start_pose()));
-    const auto pose = static_cast<robot::StartPose>(request.number("pose"));
-    if (pose == robot::StartPose::kStanding && robot.owner().active().empty() &&
-        robot.spec().kind == robot::RobotKind::kHumanoid) {
-      return Error{
-          "a standing humanoid falls while no motion service balances it; reset it hanging "
-          "or clamped"};
+  static Answer Reset(World& world, Robot& robot, Request& request, double t) {
+    const bool all = request.on("all");
+    const auto is_meant = [&](const Robot& one) { return all || &one == &robot; };
+    const auto pose_of = [named = request.has("pose"),
+                          pose = request.number("pose")](const Robot& one) {
+      return named ? static_cast<robot::StartPose>(pose) : one.start_pose();
+    };
+    for (const Robot& one : world.robots_) {
+      if (is_meant(one) && pose_of(one) == robot::StartPose::kStanding &&
+          one.owner().active().empty() && one.spec().kind == robot::RobotKind::kHumanoid) {
+        return Error{
+            "a standing humanoid falls while no motion service balances it; reset it hanging "
+            "or clamped"};
+      }
     }
-    world.Reset(&robot, pose);
+    if (all) world.physics_.Reset();
+    for (std::size_t i = 0; i < world.robots_.size(); ++i) {
+      Robot& one = world.robots_[i];
+      if (!is_meant(one)) continue;
+      world.Reset(i, pose_of(one));
+      one.NoteChanges(t);
+    }
+    if (!all) request.SetNumber("pose", static_cast<double>(pose_of(robot)));
     return {};
   }
 
@@ -127,7 +149,7 @@ struct RequestActs {
     const Eigen::Vector3d force = request.has("force")
                                       ? request.vector("force")
                                       : request.vector("impulse") / request.number("for");
-    if (!world.pushes_.Begin(*body, force, Until(world, request, t))) {
+    if (!world.forces_[request.robot].pushes.Begin(*body, force, Until(world, request, t))) {
       return Error{"too many pushes are under way"};
     }
     return {};
@@ -136,8 +158,8 @@ struct RequestActs {
   static Answer Drag(World& world, Robot& robot, Request& request, double t) {
     const auto body = BodyOf(world, robot, &request);
     if (!body) return body.error();
-    if (!world.drags_.Pull(*body, request.vector("at"), request.vector("to"),
-                           Until(world, request, t))) {
+    if (!world.forces_[request.robot].drags.Pull(*body, request.vector("at"), request.vector("to"),
+                                                 Until(world, request, t))) {
       return Error{"too many bodies are being dragged"};
     }
     return {};
@@ -145,12 +167,12 @@ struct RequestActs {
 
   static Answer LetGo(World& world, Robot& robot, Request& request, double) {
     if (!request.has("body")) {
-      world.drags_.Clear();
+      world.forces_[request.robot].drags.Clear();
       return {};
     }
     const auto body = BodyOf(world, robot, &request);
     if (!body) return body.error();
-    world.drags_.Release(*body);
+    world.forces_[request.robot].drags.Release(*body);
     return {};
   }
 
@@ -199,7 +221,7 @@ struct RequestActs {
   }
 
   static Answer MoveJoint(World&, Robot& robot, Request& request, double t) {
-    return robot.MoveJoint(request.name(), request.number("angle"), t + request.number("for"), t);
+    return robot.MoveJoint(request.name(), request.number("angle"), t + request.number("for"));
   }
 
   static Answer PressKeys(World&, Robot& robot, Request& request, double t) {
@@ -217,7 +239,7 @@ struct RequestActs {
   static Answer MoveSticks(World&, Robot& robot, Request& request, double t) {
     constexpr std::string_view kSticks[] = {"lx", "ly", "rx", "ry"};
     const double seconds = request.number("for");
-    const double until = seconds > 0 ? t + seconds : kForever;
+    const double until = seconds > 0 ? t + seconds : robot::kForever;
     for (std::size_t i = 0; i < std::size(kSticks); ++i) {
       if (request.has(kSticks[i])) robot.remote().Move(i, request.number(kSticks[i]), until);
     }
@@ -247,10 +269,10 @@ struct RequestActs {
   }
 
   static Answer StartRecording(World& world, Robot&, Request& request, double) {
-    return world.recording_.Start(request.file(), request.on("overwrite"));
+    return world.recordings_[request.robot].Start(request.file(), request.on("overwrite"));
   }
-  static Answer StopRecording(World& world, Robot&, Request&, double) {
-    return world.recording_.Stop();
+  static Answer StopRecording(World& world, Robot&, Request& request, double) {
+    return world.recordings_[request.robot].Stop();
   }
 
   static Answer CallService(World& world, Robot& robot, Request& request, double) {
@@ -271,14 +293,14 @@ Answer World::CheckNames(const Request& request) const {
     return value ? Answer{} : Answer{value.error()};
   }
   const bool named = std::ranges::any_of(
-      request.row->fields, [](const Field& field) { return field.kind == FieldKind::kBody; });
+      request.row->fields, [](const Field& field) { return field.type == &types::kBody; });
   if (!named || request.name().empty()) return {};
   const auto body = FindBody(physics_, request.robot, request.name());
   return body ? Answer{} : Answer{Error{"body: " + body.why()}};
 }
 
 const std::vector<RequestRow>& RequestRows() {
-  using enum FieldKind;
+  using schema::kNumber, schema::kSwitch, schema::kVector, schema::kWhole, schema::kWord;
   using enum From;
   using Acts = RequestActs;
   constexpr bool kNoted = true;
@@ -294,13 +316,15 @@ const std::vector<RequestRow>& RequestRows() {
   constexpr double kMostPresses = 1e8;
   constexpr double kMostFault = 1e3;  // in any unit; each kind has limits of its own
 
-  const Field keys = Needed(Bare({.key = "keys", .kind = kKeys, .low = 1, .does = "Joined by +"}));
-  const Field metres =
-      Needed(Bare({"by", kNumber, "m", -kMostCrane, kMostCrane, "Less than 0 is the other way"}));
-  const Field lx{"lx", kNumber, "", -1, 1, "Right"}, ly{"ly", kNumber, "", -1, 1, "Forward"};
-  const Field rx{"rx", kNumber, "", -1, 1, "Right"}, ry{"ry", kNumber, "", -1, 1, "Forward"};
+  const Field keys = Needed(Bare({.key = "keys", .type = &types::kKeys, .does = "Joined by +"}));
+  const Field metres = Needed(
+      Bare(Ranged("by", kNumber, "m", -kMostCrane, kMostCrane, "Less than 0 is the other way")));
+  const Field lx = Ranged("lx", kNumber, "", -1, 1, "Right"),
+              ly = Ranged("ly", kNumber, "", -1, 1, "Forward");
+  const Field rx = Ranged("rx", kNumber, "", -1, 1, "Right"),
+              ry = Ranged("ry", kNumber, "", -1, 1, "Forward");
   const auto seconds = [](double least, double most, std::string_view does) {
-    return Field{"for", kNumber, "s", least, most, does};
+    return Ranged("for", kNumber, "s", least, most, does);
   };
 
   static const std::vector<RequestRow> kRows = {
@@ -309,48 +333,53 @@ const std::vector<RequestRow>& RequestRows() {
           Acts::Pause, "pause"),
       Row("resume", "Simulated time goes on", {}, Acts::Resume, "resume", false, kPeople),
       Row("step", "Makes steps while the robot is paused, at the speed that is set",
-          {Or(1, Bare({"steps", kWhole, "", 1, kMostSteps,
-                       "How many; a step is 1 ms unless configured"})),
+          {Or(1, Bare(Ranged("steps", kWhole, "", 1, kMostSteps,
+                             "How many; a step is 1 ms unless configured"))),
            Or(1, {.key = "wait",
-                  .kind = kSwitch,
+                  .type = &kSwitch,
                   .does = "Whether to answer only when they are made"})},
           Acts::Step, "step 1000", kNoted),
       Row("speed", "Sets how fast simulated time goes; changes nothing else",
           {Needed(Bare({.key = "speed",
-                        .kind = kSpeed,
+                        .type = &types::kSpeed,
                         .unit = "s/s",
                         .does = "Simulated seconds per second of wall time"}))},
           Acts::SetSpeed, "speed 0.1"),
       Row("reset",
           "Puts the robot back into a start pose, at rest; time and script go on, and services "
-          "stay on or off",
+          "stay on or off. Other robots and, beside them, the objects of the scene stay where they "
+          "are",
           {Bare({.key = "pose",
-                 .kind = kWord,
+                 .type = &kWord,
                  .does = "The start pose unless one is named",
-                 .words = robot::kStartPoses})},
+                 .words = robot::kStartPoses}),
+           Or(0, {.key = "all",
+                  .type = &kSwitch,
+                  .does = "All robots of the world, each to its own pose unless one is named, and "
+                          "the objects of the scene to their places"})},
           Acts::Reset, "reset hanging", kNoted),
       Row("push", "Pushes a body at its centre of mass with a force, for a time",
           {Bare({.key = "body",
-                 .kind = kBody,
+                 .type = &types::kBody,
                  .does = "Of the model; the base unless one is named"}),
-           Bare({"force", kVector, "N", -kHardest, kHardest, "Along the axes of the world"}),
-           {"impulse", kVector, "N·s", -kHardest, kHardest,
-            "In place of a force; spread evenly over the time"},
+           Bare(Ranged("force", kVector, "N", -kHardest, kHardest, "Along the axes of the world")),
+           Ranged("impulse", kVector, "N·s", -kHardest, kHardest,
+                  "In place of a force; spread evenly over the time"),
            Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that it acts"))},
           Acts::Push, "push base_link 100 0 0 --for 0.2", kNoted, kBoth, OneOfForceAndImpulse),
       Row("drag",
           "Pulls a point of a body to a place by a spring, as a mouse does; the spring suits the "
           "mass that hangs on the body. A repeated request prolongs it",
-          {Needed(Bare({.key = "body", .kind = kBody, .does = "Of the model"})),
-           Needed(Bare({"to", kVector, "m", -kInWorld, kInWorld, "In the world"})),
-           Or(0, {"at", kVector, "m", -kOnBody, kOnBody,
-                  "The point that is dragged, in the body's frame"}),
+          {Needed(Bare({.key = "body", .type = &types::kBody, .does = "Of the model"})),
+           Needed(Bare(Ranged("to", kVector, "m", -kInWorld, kInWorld, "In the world"))),
+           Or(0, Ranged("at", kVector, "m", -kOnBody, kOnBody,
+                        "The point that is dragged, in the body's frame")),
            Or(0.5, seconds(kLeastTime, kLongestDrag, "Simulated time that it lasts"))},
           Acts::Drag, "drag base_link 0 0 0.6 --for 5", kNoted),
       Row("let_go", "Ends a drag",
           {Bare({.key = "body",
-                 .kind = kBody,
-                 .does = "The body that is let go; all bodies unless one is named"})},
+                 .type = &types::kBody,
+                 .does = "The body that is let go; all of the robot's unless one is named"})},
           Acts::LetGo, "let_go base_link", kNoted),
       Row("crane.lower", "Lowers the robot, at crane.speed", {metres}, Acts::LowerCrane,
           "crane lower 0.2", kNoted),
@@ -361,54 +390,58 @@ const std::vector<RequestRow>& RequestRows() {
       Row("crane.release", "Releases the robot from the crane, so that it drops", {},
           Acts::ReleaseCrane, "crane release"),
       Row("clamp", "Holds the base where it is, or lets it go",
-          {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is held"}))}, Acts::Clamp,
-          "clamp on"),
+          {Needed(Bare({.key = "on", .type = &kSwitch, .does = "Whether it is held"}))},
+          Acts::Clamp, "clamp on"),
       Row("joint",
-          "Moves a joint of a clamped robot that no program commands, as somebody does who sets it "
-          "up: at 1 rad/s at most, with the gains that hold a start pose. A repeated "
-          "request prolongs it",
-          {Needed(Bare(
-               {.key = "joint", .kind = kName, .does = "A joint with a motor; not one of a hand"})),
-           Needed(Bare({"angle", kNumber, "rad", -kMostAngle, kMostAngle,
-                        "Within the range of the joint"})),
-           Or(2, seconds(kLeastTime, kLongestDrag,
-                         "Simulated time for which it is held; then it is moved by whatever moved "
-                         "it before"))},
+          "Poses a joint of a clamped robot that no program commands, as if by hand: at 1 rad/s at "
+          "most, with the gains that hold a start pose. A repeated request prolongs it",
+          {Needed(Bare({.key = "joint",
+                        .type = &types::kName,
+                        .does = "A joint with a motor; not one of a hand"})),
+           Needed(Bare(Ranged("angle", kNumber, "rad", -kMostAngle, kMostAngle,
+                              "Within the range of the joint"))),
+           Or(2,
+              seconds(
+                  kLeastTime, kLongestDrag,
+                  "Simulated time for which it is held; then the previous commands apply again"))},
           Acts::MoveJoint, "joint FR_calf_joint -1.5 --for 5", kNoted),
       Row("power",
           "Switches the robot's power. Off, its motors have no torque and nothing is sent, "
           "received or answered; on, it boots as on hardware, in the times of robot.boot",
-          {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is switched on"}))},
+          {Needed(Bare({.key = "on", .type = &kSwitch, .does = "Whether it is switched on"}))},
           Acts::SwitchPower, "power on"),
       Row("fault",
-          "Makes a component of the robot faulty from now on, also after a reset: docs/faults.md",
+          "Injects a fault into a component; it survives a reset: "
+          "docs/reference/faults.md",
           {Needed(Bare({.key = "component",
-                        .kind = kName,
+                        .type = &types::kName,
                         .does = "JOINT (its motor), JOINT.encoder, imu, foot.FR, battery, remote, "
                                 "a topic, service.sport, ...; with the fault none also all"})),
            Needed(Bare({.key = "fault",
-                        .kind = kWord,
+                        .type = &kWord,
                         .does = "What is wrong with it; none removes all of its faults",
                         .words = robot::FaultNames()})),
-           {"by", kNumber, "", -kMostFault, kMostFault,
-            "How much, in the unit of the fault; a usual amount unless given"},
+           Ranged("by", kNumber, "", -kMostFault, kMostFault,
+                  "How much, in the unit of the fault; a usual amount unless given"),
            Or(0, seconds(0, kLongest, "Simulated time that it lasts; 0 is until it is removed")),
-           Or(0, {"ramp", kNumber, "s", 0, kLongest,
-                  "Simulated time in which it grows from nothing to its full amount"}),
-           Or(1, {"probability", kNumber, "", 0, 1,
-                  "Probability that it is there, drawn anew every tenth of a second: for loose "
-                  "contacts"})},
+           Or(0, Ranged("ramp", kNumber, "s", 0, kLongest,
+                        "Simulated time in which it grows from nothing to its full amount")),
+           Or(1,
+              Ranged("probability", kNumber, "", 0, 1,
+                     "Probability that it is there, drawn anew every tenth of a second: for loose "
+                     "contacts"))},
           Acts::SetFault, "fault FR_calf_joint.encoder offset --by 0.1 --ramp 5"),
       Lists(
           "/settings",
           Row("set", "Changes a setting of the running robot, from the next step on",
               {Needed(Bare({.key = "key",
-                            .kind = kSetting,
+                            .type = &types::kSetting,
                             .does = "Key of the configuration, as in --set; `ctl set` without one "
                                     "lists all"})),
-               Needed(Bare({.key = "value",
-                            .kind = kValue,
-                            .does = "As in --set: docs/config.md has its unit and range"}))},
+               Needed(
+                   Bare({.key = "value",
+                         .type = &types::kValue,
+                         .does = "As in --set: docs/reference/config.md has its unit and range"}))},
               Acts::Set, "set sensors.noise_gain 3")),
       Row("remote.press", "Presses keys together and releases them again",
           {keys, Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that they stay down"))},
@@ -425,16 +458,18 @@ const std::vector<RequestRow>& RequestRows() {
           "Sets all keys and sticks of the remote controller at once: keys that are not named are "
           "released. Everything is released after the time unless this is asked again, so that a "
           "program that has died or hangs leaves nothing pressed",
-          {{.key = "keys", .kind = kKeys, .does = "Joined by +; no key unless given"},
+          {{.key = "keys", .type = &types::kMaybeKeys, .does = "Joined by +; no key unless given"},
            lx,
            ly,
            rx,
            ry,
            Needed(
                seconds(kLeastTime, kLongest, "Simulated time after which everything is released")),
-           {"press", kWhole, "", 0, kMostPresses,
-            "Number of the press: keys that were released because the time was over stay released "
-            "until the number changes, so that a request that comes late is no second press"}},
+           Ranged(
+               "press", kWhole, "", 0, kMostPresses,
+               "Number of the press: keys that were released because the time was over stay "
+               "released "
+               "until the number changes, so that a request that comes late is no second press")},
           Acts::SetRemote, "remote set --keys A --for 1"),
       Row("remote.on", "Switches the remote controller on; using it does so, too", {},
           Acts::SwitchRemoteOn, "remote on"),
@@ -446,21 +481,23 @@ const std::vector<RequestRow>& RequestRows() {
           "Starts a recording of all topics, the simulation's truth and the events: "
           "docs/recording.md",
           {Bare({.key = "file",
-                 .kind = kFile,
+                 .type = &types::kFile,
                  .does =
                      "File to write; unless given, one in the folder where the robot was started, "
                      "named by robot and time"}),
-           Or(0, {.key = "overwrite", .kind = kSwitch, .does = "Replace a file of that name"})},
+           Or(0, {.key = "overwrite", .type = &kSwitch, .does = "Replace a file of that name"})},
           Acts::StartRecording, "record start walk.mcap --overwrite", kNoted),
-      Row("record.stop", "Ends the recording, whoever started it; its file is then complete", {},
-          Acts::StopRecording, "record stop", kNoted),
+      Row("record.stop", "Ends the recording; its file is then complete", {}, Acts::StopRecording,
+          "record stop", kNoted),
       Row("service.call",
           "Calls a service of the robot, as a program does over DDS; any answer but 0 is an error",
           {Needed(Bare({.key = "service",
-                        .kind = kName,
+                        .type = &types::kName,
                         .does = "Name of the service, as in rt/api/<service>/request"})),
-           Needed(Bare({"api", kWhole, "", 0, kMostApi, "Id of the api"})),
-           Bare({.key = "parameter", .kind = kJson, .does = "Its parameter; none unless given"})},
+           Needed(Bare(Ranged("api", kWhole, "", 0, kMostApi, "Id of the api"))),
+           Bare({.key = "parameter",
+                 .type = &types::kJson,
+                 .does = "Its parameter; none unless given"})},
           Acts::CallService, "service call motion_switcher 1003"),
   };
   return kRows;

@@ -2,25 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace understudy::emulator {
 namespace {
 
-// °C below derate_c at which a motor is told to be cool again. *assumed*
+// °C below derate_c at which a motor is reported cool again. *assumed*
 constexpr double kCoolAgain = 5;
+
+// Adds `more` to a text that ends with a zero; cut to fit.
+template <std::size_t kRoom>
+void Append(std::string_view more, std::array<char, kRoom>* text) {
+  const std::size_t used = std::strlen(text->data());
+  more.copy(text->data() + used, kRoom - 1 - used);
+}
 
 double Number(auto value) { return static_cast<double>(value); }
 
 }  // namespace
 
-RobotEvents::RobotEvents(const robot::RobotSpec& spec, std::uint8_t index,
-                         const std::vector<std::string>& topics, EventRing* ring)
+RobotEvents::RobotEvents(const robot::RobotSpec& spec, std::uint8_t index, EventRing* ring)
     : index_(index),
       thermal_(&spec.thermal),
-      topics_(&topics),
+      topics_(robot::CommandTopicNames(spec)),
       motors_(robot::AllMotors(spec)),
       ring_(ring),
-      heat_(motors_.size()) {}
+      heat_(motors_.size()) {
+  moved_.resize(topics_.size());
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    const robot::MotorSpec& motor = spec.motors[i];
+    moved_[robot::kLowCmdTopic].push_back({i, &motor});
+    moved_[robot::kUserLowCmdTopic].push_back({i, &motor});
+    if (std::ranges::count(spec.arm_sdk.slots, motor.slot) > 0) {
+      moved_[robot::kArmSdkTopic].push_back({i, &motor});
+    }
+  }
+  for (std::size_t hand = 0; hand < spec.hands.size(); ++hand) {
+    const std::vector<robot::MotorSpec>& motors = spec.hands[hand].motors;
+    for (std::size_t i = 0; i < motors.size(); ++i) {
+      moved_[robot::kFirstHandTopic + hand].push_back({i, &motors[i]});
+    }
+  }
+}
 
 void RobotEvents::Begin(const Present& now) {
   const authority::MotorOwner& owner = now.router.owner();
@@ -38,11 +61,6 @@ void RobotEvents::Begin(const Present& now) {
 }
 
 void RobotEvents::Compare(const Present& now) {
-  const auto compare = [this](EventKind kind, auto* told, auto value) {
-    if (*told == value) return;
-    *told = value;
-    Add(kind, {Number(value)});
-  };
   const authority::MotorOwner& owner = now.router.owner();
   if (!now.hears) {
     service_.reset();
@@ -50,13 +68,13 @@ void RobotEvents::Compare(const Present& now) {
     service_ = owner.active();
     Add(EventKind::kMotionService, {}, *service_);
   }
-  for (std::size_t topic = 0; topic < topics_->size(); ++topic) {
+  for (std::size_t topic = 0; topic < topics_.size(); ++topic) {
     const std::uint64_t timeouts = now.router.counts(topic).timeouts;
     if (timeouts == timeouts_[topic]) continue;
     timeouts_[topic] = timeouts;
-    Add(EventKind::kTimeout, {}, (*topics_)[topic]);
+    Add(EventKind::kTimeout, {}, topics_[topic]);
   }
-  compare(EventKind::kGate, &gate_, now.router.gate().state());
+  CompareValue(EventKind::kGate, now.router.gate().state(), &gate_);
   if (now.power != power_) {
     power_ = now.power;
     Add(EventKind::kPower, {}, Name(power_));
@@ -69,9 +87,19 @@ void RobotEvents::Compare(const Present& now) {
     Add(EventKind::kMotion, {Number(motion.id), Number(motion.mode)}, motion.name);
   }
   CompareDangers(motion.dangers);
-  compare(EventKind::kRemote, &keys_, now.keys);
-  compare(EventKind::kCrane, &on_crane_, now.on_crane);
-  compare(EventKind::kClamp, &clamped_, now.clamped);
+  CompareValue(EventKind::kRemote, now.keys, &keys_);
+}
+
+void RobotEvents::CompareHolds(bool on_crane, bool clamped) {
+  CompareValue(EventKind::kCrane, on_crane, &on_crane_);
+  CompareValue(EventKind::kClamp, clamped, &clamped_);
+}
+
+template <class Value>
+void RobotEvents::CompareValue(EventKind kind, Value now, Value* last) {
+  if (*last == now) return;
+  *last = now;
+  Add(kind, {Number(now)});
 }
 
 void RobotEvents::CompareDangers(const std::array<robot::DangerReading, robot::kDangers>& dangers) {
@@ -126,7 +154,7 @@ void RobotEvents::AddCall(const services::Call& call, int state) {
 
 void RobotEvents::AddCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
                              const authority::GateCounts& counts) {
-  const std::string& name = (*topics_)[topic];
+  const std::string& name = topics_[topic];
   if (refusal != robot::Refusal::kNone) {
     Add(EventKind::kRefused, {Number(refusal)}, name);
     return;
@@ -135,8 +163,34 @@ void RobotEvents::AddCommand(std::size_t topic, robot::Refusal wire, robot::Refu
   if (wire != robot::Refusal::kNone) Add(EventKind::kTolerated, {Number(wire)}, name);
 }
 
-void RobotEvents::AddTaken(const robot::RobotCommand& command, const robot::RobotState& state) {
-  if (asked_) return;
+void RobotEvents::AddTaken(std::size_t topic, const robot::RobotCommand& command,
+                           const robot::RobotState& state) {
+  if (topic == robot::kLowCmdTopic && !asked_) AddJump(command, state);
+  AddUnheld(topic, command);
+}
+
+void RobotEvents::AddUnheld(std::size_t topic, const robot::RobotCommand& command) {
+  std::vector<Moved>& moved = moved_[topic];
+  const bool arms = topic == robot::kArmSdkTopic;
+  if (arms && command.weight <= 0) return;
+  const auto of = [&](const Moved& one) { return command.motors[one.index]; };
+  if (std::ranges::none_of(moved, [&](const Moved& one) { return of(one).kp > 0; })) return;
+  std::size_t unheld = 0;
+  std::array<char, sizeof(Event::text)> which{};
+  for (const Moved& one : moved) {
+    const robot::MotorCommand motor = of(one);
+    if (!motor.enabled || motor.kp > 0 || motor.tau != 0 || (!arms && motor.kd > 0)) continue;
+    if (++unheld > kMostNamed) continue;
+    Append(unheld == 1 ? topics_[topic] : ",", &which);
+    Append(unheld == 1 ? ": " : " ", &which);
+    Append(one.motor->joint, &which);
+  }
+  if (unheld == 0) return;
+  Add(EventKind::kUnheld, {Number(unheld)}, which.data());
+  moved.clear();
+}
+
+void RobotEvents::AddJump(const robot::RobotCommand& command, const robot::RobotState& state) {
   double jump = -1;
   std::size_t joint = 0;
   for (std::size_t i = 0; i < std::min(command.motors.size(), state.motors.size()); ++i) {

@@ -1,5 +1,5 @@
-// What befalls a robot: its faults and its power switch.
-#include <algorithm>
+// The faults of a robot and its power switch.
+#include <utility>
 
 #include "emulator/robot.h"
 
@@ -16,8 +16,7 @@ Result<> Robot::SetFault(std::string_view component, std::string_view kind, cons
   const auto cleared = faults_.Clear(component);
   if (!cleared) return cleared.error();
   for (const robot::Fault& fault : faults_.over()) events_.AddFault(faults_, fault, false);
-  Suffer();
-  FollowBoard(t);
+  ApplyFaults(t);
   return {};
 }
 
@@ -25,66 +24,44 @@ void Robot::StepFaults(double t) {
   if (!faults_.Step(t)) return;
   for (const robot::Fault& fault : faults_.begun()) events_.AddFault(faults_, fault, true);
   for (const robot::Fault& fault : faults_.over()) events_.AddFault(faults_, fault, false);
-  Suffer();
-  FollowBoard(t);
+  ApplyFaults(t);
 }
 
-// A mainboard that dies takes the robot down with it.
-void Robot::FollowBoard(double t) {
-  if (faults_.effects().board.dead == board_is_dead_) return;
-  board_is_dead_ = !board_is_dead_;
-  if (board_is_dead_) {
-    boots_again_ = power_.state() != PowerState::kOff;
-    SwitchPowerOff();
+// Applies the effects of faults that the parts do not read by themselves. A mainboard that dies
+// takes the robot down with it.
+void Robot::ApplyFaults(double t) {
+  computer_.ApplyFaults();
+  const bool dead = faults_.effects().board.dead;
+  if (std::exchange(board_is_dead_, dead) == dead) return;
+  if (dead) {
+    boots_again_ = computer_.power() != robot::PowerState::kOff;
+    SwitchOff();
   } else if (boots_again_) {
-    power_.SwitchOn(t);
+    SwitchOn(t);
   }
-}
-
-// Services come up in their order, one after the other.
-void Robot::StepPower(double t) {
-  const bool booting = power_.state() == PowerState::kBooting;
-  if (power_.Step(t) && !router_.owner().silent()) router_.owner().Select(first_service_);
-  if (!booting) return;
-  Suffer();
-  NoteChanges(t);
 }
 
 Result<> Robot::SwitchPower(bool on, double t) {
   if (!on) {
-    SwitchPowerOff();
+    SwitchOff();
     return {};
   }
-  if (power_.state() != PowerState::kOff) return {};
+  if (computer_.power() != robot::PowerState::kOff) return {};
   if (board_is_dead_) return Error{"its mainboard is off"};
-  battery_.Restart();
-  if (battery_.cut_off() != robot::CutOff::kNone) return Error{"the battery is empty"};
-  power_.SwitchOn(t);
+  if (!SwitchOn(t)) return Error{"the battery is empty"};
   return {};
 }
 
-void Robot::SwitchPowerOff() {
-  if (power_.state() == PowerState::kOff) return;
-  power_.SwitchOff();
-  battery_.SwitchOff();
-  before_off_ = router_.owner().active();
-  router_.GoLimp();
-  Suffer();
+bool Robot::SwitchOn(double t) {
+  if (!hardware_.SwitchOn()) return false;
+  computer_.SwitchOn(t);
+  return true;
 }
 
-// Tells those parts of what is wrong with them that do not read it themselves.
-void Robot::Suffer() {
-  std::ranges::copy(faults_.effects().services, service_effects_.begin());
-  for (std::size_t i = 0; i < service_effects_.size(); ++i) {
-    service_effects_[i].off |= !power_.answers(i, service_effects_.size());
-  }
-  if (services_ != nullptr) services_->Suffer(service_effects_);
-  for (std::size_t i = 0; i < braked_.size(); ++i) {
-    const robot::MotorEffects& now = faults_.effects().motors[i];
-    if (now.jammed == braked_[i].jammed && now.drag == braked_[i].drag) continue;
-    braked_[i] = now;
-    body_->Brake(i, now.drag, now.jammed);
-  }
+void Robot::SwitchOff() {
+  if (computer_.power() == robot::PowerState::kOff) return;
+  hardware_.SwitchOff();
+  computer_.SwitchOff();
 }
 
 }  // namespace understudy::emulator

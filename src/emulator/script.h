@@ -16,7 +16,7 @@ struct ScriptEvent {
   double at = 0;
   Request request{};
   std::string where{};  // "stand.yaml:3"
-  // Whether the event follows the one before it in the list, whatever came of that.
+  // Whether the event follows the one before it in the list, even if that one failed.
   bool after = false;
   // The number of the condition for which it waits from then on; nullopt: it is made at once.
   std::optional<std::size_t> when{};
@@ -25,9 +25,9 @@ struct ScriptEvent {
 };
 
 // The conditions of a script, by number.
-class Conditions {
+class ScriptConditions {
  public:
-  virtual ~Conditions() = default;
+  virtual ~ScriptConditions() = default;
 
   // Takes what has happened since the last call. The world calls it at the start of each tick,
   // until the script is over; with `measure` something waits, and the values of this instant are

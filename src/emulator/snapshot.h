@@ -84,7 +84,6 @@ struct SnapshotFault {
 
 // *Assumed*, a robot on its side among stones has about 60.
 inline constexpr std::size_t kMostSnapshotContacts = 256;
-inline constexpr std::size_t kMostSnapshotPushes = 24;
 
 // World::MakeSnapshot gives vectors their final sizes, contacts and pushes their capacity.
 struct Snapshot {
@@ -97,8 +96,8 @@ struct Snapshot {
   std::vector<std::string> components;      // that can have faults
   std::vector<robot::MotorLimits> limits;   // in motor order
   std::vector<robot::DamageLimit> damage_limits;
-  double trip_c = 0;                     // °C
-  std::vector<SettingKey> setting_keys;  // that can change
+  double trip_c = 0;                        // °C
+  std::vector<schema::Entry> setting_keys;  // that can change
   std::int64_t step = 0;
   double time = 0;   // simulated s
   double speed = 1;  // wanted; 0 = as fast as possible
@@ -108,7 +107,7 @@ struct Snapshot {
   std::vector<physics::ContactReading> contacts;
   std::array<double, 3> com{};  // of the robot
   SnapshotCrane crane;
-  std::vector<SnapshotPush> pushes;  // drags too
+  std::vector<SnapshotPush> pushes;  // drags too, of all robots
   // In motor order. This and the next four are as last published.
   std::vector<robot::MotorReading> motors;
   std::array<robot::ImuReading, 2> imus;
@@ -119,7 +118,7 @@ struct Snapshot {
   std::array<std::uint8_t, 40> wireless_remote{};
   std::vector<robot::MotorCommand> command;  // followed by the motors
   std::vector<SnapshotFault> faults;         // that there are now
-  robot::Damage damage;                      // since the start
+  robot::DamageTotals damage;                // since the start
   SnapshotMotion motion;
   robot::TrueValues truth;       // of the instant of `motors`
   std::vector<double> settings;  // by setting_keys

@@ -9,9 +9,9 @@
 #include "authority/command_gate.h"
 #include "authority/intake.h"
 #include "emulator/mailbox.h"
-#include "emulator/power.h"
 #include "robot/command_topics.h"
 #include "robot/port_counts.h"
+#include "robot/power.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 #include "services/service_port.h"
@@ -52,7 +52,7 @@ struct LoopReading {
 // The present state of the world and of one of its robots, filled in by World::status().
 struct Status {
   LoopReading loop;
-  PowerState power = PowerState::kOn;
+  robot::PowerState power = robot::PowerState::kOn;
   bool silenced = false;  // another robot appeared and publishing has stopped
   double time = 0;        // simulated s
   std::int64_t steps = 0;

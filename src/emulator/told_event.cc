@@ -86,6 +86,11 @@ bool SameCause(const Event& a, const Event& b) {
   return same;
 }
 
+bool IsUnknownCall(const Event& event) {
+  return event.kind == EventKind::kCallRefused &&
+         event.numbers[0] == static_cast<double>(services::CallRefusal::kUnknownApi);
+}
+
 // Adds events to those that are held, of the same cause.
 void Add(const ToldEvent& more, ToldEvent* held) {
   Event both = more.event;
@@ -136,11 +141,18 @@ std::optional<ToldEvent> EventDigest::Take(const ToldEvent& told, double now) {
   if (!RowOf(event.kind).bursts) return told;
   auto cause = std::ranges::find_if(
       causes_, [&](const Cause& known) { return SameCause(known.held.event, event); });
+  // A client may try any number of ids.
+  if (cause == causes_.end() && IsUnknownCall(event)) {
+    const auto is_one = [](const Cause& known) { return IsUnknownCall(known.held.event); };
+    if (std::ranges::count_if(causes_, is_one) >= kMostUnknownCalls) {
+      cause = std::ranges::find_if(causes_, is_one);
+    }
+  }
   if (cause == causes_.end() && causes_.size() >= kMostCauses) {
     std::erase_if(causes_, [&](const Cause& known) {
       return known.held.count == 0 && now >= known.told_at + period_;
     });
-    // Whoever is on the network may think of causes without end: those beyond count as the last.
+    // The network is untrusted: causes beyond the bound count as the last one.
     cause = causes_.size() < kMostCauses ? causes_.end() : causes_.end() - 1;
   }
   if (cause == causes_.end()) {
@@ -166,6 +178,6 @@ std::vector<ToldEvent> EventDigest::Due(double now) {
   return due;
 }
 
-std::vector<ToldEvent> EventDigest::Rest() { return Due(std::numeric_limits<double>::infinity()); }
+std::vector<ToldEvent> EventDigest::Flush() { return Due(std::numeric_limits<double>::infinity()); }
 
 }  // namespace understudy::emulator

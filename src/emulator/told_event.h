@@ -1,4 +1,4 @@
-// Events as they are told to people and programs: their values, and bursts condensed.
+// Events as reported to people and programs: their values, and bursts condensed.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +36,10 @@ struct ToldEvent {
 // those that follow within `period` as one event after it. All other events are reported at once.
 class EventDigest {
  public:
-  // The most causes that are told apart within a period; *assumed*, far more than a run has.
+  // The most causes that are distinguished within a period; *assumed*, far more than a run has.
   static constexpr std::size_t kMostCauses = 256;
+  // Of these, calls by ids that no service has; *assumed*.
+  static constexpr std::ptrdiff_t kMostUnknownCalls = 8;
 
   explicit EventDigest(double period) : period_(period) {}  // s, of the clock that `now` is of
 
@@ -48,7 +50,7 @@ class EventDigest {
   }
   // Return the events kept for long enough, and all kept events.
   std::vector<ToldEvent> Due(double now);
-  std::vector<ToldEvent> Rest();
+  std::vector<ToldEvent> Flush();
 
  private:
   struct Cause {

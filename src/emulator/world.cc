@@ -16,12 +16,17 @@ World::World(physics::World physics, const WorldSettings& settings,
              const std::vector<RobotParts>& robots, Inbox* inbox)
     : settings_(settings),
       physics_(std::move(physics)),
-      inbox_(inbox),
+      inboxes_{inbox},
       step_ns_(std::llround(physics_.timestep() * 1e9)),
       pace_{.speed = settings.speed} {
+  const auto sees = [](const RobotParts& parts) { return robot::HasLidar(parts.spec.lidar); };
+  if (std::ranges::any_of(robots, sees)) scene_.emplace(physics_.model(), physics_.data());
   for (const RobotParts& parts : robots) {
-    robots_.emplace_back(parts, static_cast<std::uint8_t>(robots_.size()), &physics_, &events_);
+    robots_.emplace_back(parts, static_cast<std::uint8_t>(robots_.size()), &physics_,
+                         scene_ ? &*scene_ : nullptr, &events_);
   }
+  forces_.resize(robots.size());
+  recordings_.resize(robots.size());
   steppers_.reserve(kMostSteppers);
   noted_ = {.paused = pace_.paused, .speed = pace_.speed};
 }
@@ -34,8 +39,10 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
   for (Robot& robot : robots_) robot.Hear(step_, t);
 
   physics_.BeginStep();
-  pushes_.Act(t, &physics_);
-  drags_.Act(t, &physics_);
+  for (Forces& forces : forces_) {
+    forces.pushes.Act(t, &physics_);
+    forces.drags.Act(t, &physics_);
+  }
   for (Robot& robot : robots_) robot.Act();
   const physics::StepHealth health = physics_.EndStep();
 
@@ -44,9 +51,9 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
     events_.Add(EventKind::kDivergence);
     if (settings_.reset_on_divergence) {
       physics_.Reset();
-      for (Robot& robot : robots_) {
-        Reset(&robot, robot.start_pose());
-        robot.NoteChanges(t);
+      for (std::size_t i = 0; i < robots_.size(); ++i) {
+        Reset(i, robots_[i].start_pose());
+        robots_[i].NoteChanges(t);
       }
     }
   } else {
@@ -58,23 +65,23 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
   return health;
 }
 
-void World::Attend(time::Clock::Time now) {
+void World::Attend(time::Clock::Time now, bool calls) {
   now_ = now;
   TakeRequests();
   for (Robot& robot : robots_) {
-    robot.ServeCalls(time(), now);
-    if (pace_.stands_still()) robot.Rest();
+    if (calls) robot.ServeCalls(time(), now);
+    if (pace_.stands_still()) robot.KeepNewest();
   }
 }
 
-void World::Reset(Robot* robot, robot::StartPose pose) {
-  pushes_.Clear();
-  drags_.Clear();
+void World::Reset(std::size_t robot, robot::StartPose pose) {
+  forces_[robot].pushes.Clear();
+  forces_[robot].drags.Clear();
   if (robots_.size() == 1) physics_.Reset();  // also resets movable objects of the scene
-  robot->Reset(pose);
+  robots_[robot].Reset(pose);
 }
 
-Status World::status(const LoopReading& loop, std::size_t robot) const {
+Status World::status(std::size_t robot, const LoopReading& loop) const {
   Status status;
   status.loop = loop;
   status.time = time();

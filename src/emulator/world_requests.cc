@@ -11,7 +11,7 @@
 
 namespace understudy::emulator {
 
-void World::Play(std::vector<ScriptEvent> script, std::unique_ptr<Conditions> conditions) {
+void World::Play(std::vector<ScriptEvent> script, std::unique_ptr<ScriptConditions> conditions) {
   for (const ScriptEvent& event : script) {
     if (auto fits = CheckNames(event.request); !fits) {
       throw ConfigError(event.where + ": " + fits.why());
@@ -67,7 +67,7 @@ bool World::FinishEvent(const ScriptTurn& turn, double t) {
     const double waited = std::max(0.0, t - turn.since);
     events_.Add(EventKind::kScriptWait, 0, {number, waited, holds ? 1.0 : 0.0}, event.condition);
     if (!holds) {
-      RefuseEvent(event, "waited " + NumberText(event.within) + " s in vain: " + event.condition);
+      RefuseEvent(event, "timed out after " + NumberText(event.within) + " s: " + event.condition);
       return true;
     }
   }
@@ -81,32 +81,43 @@ void World::RefuseEvent(const ScriptEvent& event, const std::string& why) {
   events_.Add(EventKind::kScriptRefused, 0, {}, event.where + ": " + why);
 }
 
+std::size_t World::drag_count() const {
+  std::size_t count = 0;
+  for (const Forces& forces : forces_) count += forces.drags.size();
+  return count;
+}
+
 void World::TakeRequests() {
   AnswerSteppers();
-  recording_.GiveAnswer();
-  inbox_->Drain(now_, [this](Request* request, Reply* reply) -> std::optional<Answer> {
-    const std::size_t dragged = drags_.size();
-    Answer answer = CarryOut(request, time());
-    if (!answer) return answer;
-    // A drag is renewed many times a second; only the first one is an event.
-    const bool renews = request->row->name == "drag" && drags_.size() == dragged;
-    if (request->row->noted && !renews) {
-      events_.Append({.step = step_,
-                      .time = time(),
-                      .kind = EventKind::kRequest,
-                      .robot = static_cast<std::uint8_t>(request->robot),
-                      .request = *request});
-    }
-    if (request->waits()) {
-      if (request->row->name == "step") {
-        steppers_.push_back({.step = step_ + pace_.steps_left, .reply = std::move(*reply)});
-      } else {
-        recording_.Keep(std::move(*reply));
-      }
-      return std::nullopt;
-    }
-    return answer;
-  });
+  for (RecordingDesk& desk : recordings_) desk.GiveAnswer();
+  for (Inbox* inbox : inboxes_) {
+    inbox->Drain([this](Request* request, Reply* reply) { return TakeRequest(request, reply); });
+  }
+}
+
+// Returns nullopt if the answer comes later.
+std::optional<Answer> World::TakeRequest(Request* request, Reply* reply) {
+  const std::size_t dragged = drag_count();
+  Answer answer = CarryOut(request, time());
+  if (!answer) return answer;
+  // A drag is renewed many times a second; only the first one is an event.
+  const bool renews = request->row->name == "drag" && drag_count() == dragged;
+  const bool of_all = request->row->name == "reset" && request->on("all");
+  for (std::size_t i = 0; i < robots_.size() && request->row->noted && !renews; ++i) {
+    if (!of_all && i != request->robot) continue;
+    events_.Append({.step = step_,
+                    .time = time(),
+                    .kind = EventKind::kRequest,
+                    .robot = static_cast<std::uint8_t>(i),
+                    .request = *request});
+  }
+  if (!request->waits()) return answer;
+  if (request->row->name == "step") {
+    steppers_.push_back({.step = step_ + pace_.steps_left, .reply = std::move(*reply)});
+  } else {
+    recordings_[request->robot].Keep(std::move(*reply));
+  }
+  return std::nullopt;
 }
 
 Answer World::CarryOut(Request* request, double t) {
@@ -149,11 +160,11 @@ Answer World::Set(Robot* robot, const Request& request) {
       LiveSettings()[setting].at(settings_, robot->settings()));
   robot->FollowSettings();
   physics_.SetGroundFriction(settings_.ground_friction);
-  const SettingKey& key = settings_.keys[setting];
+  const schema::Entry& key = settings_.keys[setting];
   std::array<char, sizeof(Event::text)> text{};
   if (key.words.empty() && before == 0 && key.key == "terrain.friction") {
     // 0 is none for all: every patch has its own, and the floor that of the robot's model.
-    std::snprintf(text.data(), text.size(), "%s: %.6g, before each its own", key.key.c_str(),
+    std::snprintf(text.data(), text.size(), "%s: %.6g, before each patch's own", key.key.c_str(),
                   *value);
   } else if (key.words.empty()) {
     std::snprintf(text.data(), text.size(), "%s: %.6g%s%s, before %.6g", key.key.c_str(), *value,

@@ -1,13 +1,10 @@
-// What the world shows of itself to who looks.
+// Fills in a Snapshot.
 #include <algorithm>
 
 #include "emulator/world.h"
 
 namespace understudy::emulator {
 namespace {
-
-static_assert(kMostSnapshotPushes >= physics::Pushes::kMost + physics::Drags::kMost,
-              "a snapshot with all of them would allocate");
 
 bool Has(const Snapshot& snapshot, SnapshotPart part) { return (snapshot.parts & part) != 0; }
 
@@ -29,7 +26,7 @@ Snapshot World::MakeSnapshot(std::size_t robot) const {
   snapshot.command_topics = robots_[robot].topics();
   snapshot.bodies.resize(snapshot.body_names.size());
   snapshot.contacts.reserve(kMostSnapshotContacts);
-  snapshot.pushes.reserve(kMostSnapshotPushes);
+  snapshot.pushes.reserve(robots_.size() * (physics::Pushes::kMost + physics::Drags::kMost));
   snapshot.motors.resize(snapshot.motor_names.size());
   snapshot.imu_count = spec.imu.secondary_site.empty() ? 1 : 2;
   snapshot.feet.resize(spec.feet.size());
@@ -74,11 +71,15 @@ void World::Show(Snapshot* snapshot) const {
   }
   if (Has(*snapshot, kPartPushes)) {
     snapshot->pushes.clear();
-    for (const auto& forces : {pushes(), drags()}) {
+    const auto add = [snapshot](std::span<const physics::AppliedForce> forces) {
       for (const physics::AppliedForce& force : forces) {
         snapshot->pushes.push_back(
             {.body = force.body, .at = Array(force.p_WP), .force = Array(force.force_W)});
       }
+    };
+    for (const Forces& forces : forces_) {
+      add(forces.pushes.forces());
+      add(forces.drags.forces());
     }
   }
   // Nothing has been sampled before the first tick.

@@ -15,9 +15,10 @@
 
 namespace understudy::exec {
 
-// A child process, forked by the constructor, that waits and becomes the command at Release(). The
-// command therefore inherits nothing that this process changes in between: threads, signal handlers
-// and masks, real-time priority, locked memory. It shares stdin, stdout, stderr and all other
+// A child process, forked by the constructor, that waits and becomes the command at Release().
+// Between it and us is a keeper, a process that ends what the command has started. The command
+// therefore inherits nothing that this process changes in between: threads, signal handlers and
+// masks, real-time priority, locked memory. It shares stdin, stdout, stderr and all other
 // descriptors that are not close-on-exec.
 //
 // Signals: the command stays in our process group. Ctrl-C, Ctrl-\ and Ctrl-Z reach it and its
@@ -26,8 +27,10 @@ namespace understudy::exec {
 // si_code SI_KERNEL), only one sent to our pid. Terminate() and Forward() signal only the command,
 // not its children.
 //
-// If our process or the constructing thread ends in any way, even by kill -9, the kernel kills the
-// command (not its children, and not a set-uid program).
+// When the command has ended, what it started and left, at any depth, is ended: by SIGTERM, after
+// 0.3 s by SIGKILL. Only then has the child ended. If our process or the constructing thread ends
+// in any way, even by kill -9, the command and what it started are killed at once (a set-uid
+// program is not).
 class ChildProcess {
  public:
   using Environment = std::vector<std::pair<std::string, std::string>>;  // name, value
@@ -37,8 +40,8 @@ class ChildProcess {
   //
   // Call it in the main thread, after EnterPrivateNetwork(), before other threads exist and before
   // signals are handled, blocked or ignored: the command inherits the mask and the ignored signals.
-  // If SIGCHLD is ignored, it is reset to default in this process, since the kernel would discard
-  // exit codes otherwise.
+  // If SIGCHLD is ignored, it is reset to default in this process and the command, since the
+  // kernel would discard exit codes otherwise.
   //
   // With `standard_error` or `standard_output`, a descriptor, the command has that for its stderr
   // or stdout instead of ours. With `rights` it has those instead of ours, which have to include
@@ -77,12 +80,10 @@ class ChildProcess {
   // neither released nor terminated.
   int Wait();
 
-  pid_t pid() const { return pid_; }
-
  private:
   std::string program_;
-  UniqueFd gate_;  // sends one byte: start; receives errno of exec, or end of file: exec succeeded
-  pid_t pid_ = -1;
+  UniqueFd gate_;   // sends one byte: start; receives errno of exec, or end of file: exec succeeded
+  pid_t pid_ = -1;  // of the keeper
   std::optional<int> exit_code_;
   std::optional<std::chrono::steady_clock::time_point> kill_at_;
 };

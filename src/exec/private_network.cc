@@ -20,7 +20,7 @@
 namespace understudy::exec {
 namespace {
 
-// docs/sources.md#addresses
+// docs/dev/sources.md#addresses
 constexpr char kCableMask[] = "255.255.255.0";
 constexpr std::string_view kCablePrefix = "/24";
 
@@ -66,7 +66,7 @@ void EnterNetwork() {
   if (::unshare(CLONE_NEWNET) != 0) RefuseNetwork("creating a network namespace", errno);
 }
 
-// Enters a new network, with the rights to set it up, and returns those of before. A new user
+// Enters a new network, with the rights to set it up, and returns the old ones. A new user
 // namespace grants every capability. They would override the permissions of the user's files, and
 // uid 0 would gain some at exec, which disables the command's parent-death signal (ChildProcess):
 // so they have to be given back.

@@ -21,7 +21,7 @@ namespace understudy::exec {
 //   - the effective uid and gid are mapped to themselves: files, ids and $HOME are as before. All
 //     other owners show as nobody. Supplementary groups show as nogroup and still open devices.
 //   - setgroups, and set-uid programs such as sudo of other owners, no longer work.
-//   - the capabilities are those of before (an ordinary user: none), valid in the namespace only.
+//   - the capabilities are the old ones (an ordinary user: none), valid in the namespace only.
 //
 // In both cases
 //   - abstract unix sockets belong to a network: those outside are out of reach. Unix sockets that
@@ -37,8 +37,8 @@ namespace understudy::exec {
 // failure the process has no network and should exit.
 void EnterPrivateNetwork();
 
-// The robot's own address on a cable (docs/sources.md#addresses); *assumed* of robots whose pages
-// are not public.
+// The robot's own address on a cable (docs/dev/sources.md#addresses); *assumed* of robots whose
+// pages are not public.
 inline constexpr char kRobotAddress[] = "192.168.123.161";
 
 // The program's end of a cable to the robot.
@@ -71,7 +71,8 @@ std::string WhyNoCableAddress(const std::string& text);
 //   network.MoveToRobot();
 class CabledNetwork {
  public:
-  // Makes both and moves this process to the program's end. Throws BusError likewise.
+  // Makes both and moves this process to the program's end. Throws BusError if the kernel does not
+  // allow it.
   explicit CabledNetwork(const CableEnd& program);
 
   // The rights that this process had before, for the program.

@@ -23,7 +23,7 @@ constexpr int kGlance = 50;                 // ms after which the end is looked 
 constexpr std::size_t kLongestLine = 4096;  // bytes; of a longer one the last are kept
 
 [[noreturn]] void Fail(const char* what) {
-  throw CommandError(std::string("no pseudo-terminal for what the program prints: ") + what + ": " +
+  throw CommandError(std::string("nothing takes what the program prints: ") + what + ": " +
                          std::generic_category().message(errno),
                      kExitOwnFailure);
 }
@@ -41,8 +41,15 @@ bool WriteAll(int fd, std::string_view bytes) {
 
 }  // namespace
 
-ProgramOutput::ProgramOutput(const std::vector<std::string>& texts) {
+ProgramOutput::ProgramOutput(const std::vector<std::string>& texts, int to) : to_(to) {
   for (const std::string& text : texts) texts_.emplace_back(text);
+  if (to == STDERR_FILENO && ::isatty(to) != 1) {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) Fail("pipe");
+    ours_ = UniqueFd(ends[0]);
+    program_ = UniqueFd(ends[1]);
+    return;
+  }
   ours_ = UniqueFd(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC));
   if (!ours_.valid()) Fail("posix_openpt");
   std::array<char, 64> name{};
@@ -58,13 +65,14 @@ ProgramOutput::ProgramOutput(const std::vector<std::string>& texts) {
   ::cfmakeraw(&mode);
   if (::tcsetattr(program_.get(), TCSANOW, &mode) != 0) Fail("tcsetattr");
   winsize size{};
-  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) ::ioctl(program_.get(), TIOCSWINSZ, &size);
+  if (::ioctl(to, TIOCGWINSZ, &size) == 0) ::ioctl(program_.get(), TIOCSWINSZ, &size);
 }
 
 void ProgramOutput::Finish() {
   if (!thread_.joinable()) return;
   thread_.request_stop();
   thread_.join();
+  EndLine();
 }
 
 void ProgramOutput::Start() {
@@ -91,7 +99,7 @@ void ProgramOutput::Read(const std::stop_token& stop) {
     if (got <= 0) return;  // EIO: nobody has the other end any more
     const std::string_view text(bytes.data(), static_cast<std::size_t>(got));
     Search(text);
-    heard = heard && WriteAll(STDOUT_FILENO, text);
+    heard = heard && WriteAll(to_, text);
   }
 }
 
@@ -106,10 +114,15 @@ void ProgramOutput::Search(std::string_view bytes) {
     }
     if (line_.size() > kLongestLine) line_.erase(0, line_.size() - kLongestLine / 2);
     if (end == std::string_view::npos) return;
-    line_.clear();
-    for (Text& text : texts_) text.in_line = false;
+    EndLine();
     bytes.remove_prefix(end + 1);
   }
+}
+
+void ProgramOutput::EndLine() {
+  if (line_.find_first_not_of(" \t\r") != std::string::npos) last_line_ = line_;
+  line_.clear();
+  for (Text& text : texts_) text.in_line = false;
 }
 
 }  // namespace understudy::exec

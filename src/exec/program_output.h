@@ -15,15 +15,17 @@
 
 namespace understudy::exec {
 
-// The standard output of a child process, passed on to ours. It is a pseudo-terminal, so that a
-// program in any language writes each line when it is complete, as to a terminal, and not when some
-// KiB have come together.
+// The standard output or error of a child process, passed on to ours. Output is a pseudo-terminal,
+// so that a program in any language writes each line when it is complete, as to a terminal, and not
+// when some KiB have come together. Errors, which programs do not hold back, are a pipe unless ours
+// are on a terminal.
 //
 // A text is found once in a line, also in one that has no end yet.
 class ProgramOutput {
  public:
-  // Throws CommandError if there is no pseudo-terminal.
-  explicit ProgramOutput(const std::vector<std::string>& texts);
+  // `to`: STDOUT_FILENO or STDERR_FILENO. Throws CommandError if there is no pseudo-terminal or
+  // pipe.
+  explicit ProgramOutput(const std::vector<std::string>& texts, int to = 1);
   ProgramOutput(const ProgramOutput&) = delete;
   ProgramOutput& operator=(const ProgramOutput&) = delete;
   ~ProgramOutput() { Finish(); }
@@ -36,6 +38,9 @@ class ProgramOutput {
 
   // Passes on what is left and ends the thread.
   void Finish();
+
+  // After Finish: the last line that is not blank; of a long one its end.
+  const std::string& last_line() const { return last_line_; }
 
   // Calls `told(text)` for each text found since, at most kMostAtOnce times; the others come next
   // time. Never waits. One thread.
@@ -65,9 +70,12 @@ class ProgramOutput {
   void Read(const std::stop_token& stop);
   void Search(std::string_view bytes);
 
+  void EndLine();
+
   std::deque<Text> texts_;
+  int to_;
   UniqueFd ours_, program_;
-  std::string line_;
+  std::string line_, last_line_;
   std::jthread thread_;  // last: it uses all of the above
 };
 

@@ -1,4 +1,4 @@
-// What joints are commanded so that a recording tells their figures: chirps, within limits.
+// Excitation signals for identification: chirps within the joints' limits.
 #pragma once
 
 #include <array>

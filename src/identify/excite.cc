@@ -55,8 +55,8 @@ class Exciter {
         participant_(participant),
         writer_(participant, command),
         reader_(participant, state),
-        states_(participant, "rt/lowstate"),
-        commanders_(participant, "rt/lowcmd"),
+        states_(participant, state.name),
+        commanders_(participant, command.name),
         announced_(participant) {}
 
   void RequireRobot(bool real) {

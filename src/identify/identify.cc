@@ -23,7 +23,7 @@ constexpr std::size_t kLeastWindows = 10;
 constexpr double kHighCorrelation = 0.9;
 constexpr double kApart = 0.3;  // a correlation below it: one says little of the other; *assumed*
 // Of the least to the largest eigenvalue of the normalised normal matrix, below which a direction
-// cannot be told by finite differences.
+// cannot be determined by finite differences.
 constexpr double kSingular = 1e-7;
 
 // The parameters of a direction along which nothing changes; empty if there is none.
@@ -52,13 +52,13 @@ VectorXd Without(const VectorXd& x, const std::vector<std::size_t>& left_out) {
   return Eigen::Map<const VectorXd>(others.data(), static_cast<Index>(others.size()));
 }
 
-// What of the parameters can be told, and what not and why.
+// Which parameters can be determined, and which cannot and why.
 struct Telling {
   std::vector<Parameter> kept;
   std::vector<Found> refused;
 };
 
-// Takes `at` out of `kept`. `why` says why it cannot be told.
+// Takes `at` out of `kept`. `why` says why it cannot be determined.
 void Refuse(const Basis& basis, std::size_t at, const std::string& why, Telling* telling) {
   const Parameter& refused = telling->kept[at];
   telling->refused.push_back(
@@ -92,14 +92,14 @@ double Correlation(const MatrixXd& covariance, Index a, Index b) {
   return covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
 }
 
-// Those whose standard errors are too large, the worst first, but for those that may be told once
-// another one that hangs together with them is refused.
+// Those whose standard errors are too large, the worst first, but for those that may become
+// certain once a correlated one is refused.
 std::vector<std::size_t> TooUncertain(const std::vector<Parameter>& parameters,
                                       const std::vector<double>& values,
                                       const MatrixXd& covariance) {
   std::vector<std::pair<double, std::size_t>> over;  // how often the allowed error
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const Quantity& quantity = *parameters[i].quantity;
+    const FigureKind& quantity = *parameters[i].quantity;
     const auto at = static_cast<Index>(i);
     const double error = std::sqrt(std::max(0.0, covariance(at, at)));
     const double times = error / (quantity.tell * (quantity.ratio ? values[i] : 1));
@@ -117,7 +117,7 @@ std::vector<std::size_t> TooUncertain(const std::vector<Parameter>& parameters,
 }
 
 struct Split {
-  std::vector<Window> fitted, held_out;
+  std::vector<ReplayWindow> fitted, held_out;
 };
 
 Split SplitOf(std::span<const Samples> recordings, std::span<const Samples> held_out,
@@ -129,7 +129,7 @@ Split SplitOf(std::span<const Samples> recordings, std::span<const Samples> held
   }
   double due = 0;
   for (const Samples& samples : recordings) {
-    for (Window& window : WindowsOf(samples, options.window, timestep)) {
+    for (ReplayWindow& window : WindowsOf(samples, options.window, timestep)) {
       due += held_out.empty() ? options.hold_out : 0;
       (due >= 1 ? split.held_out : split.fitted).push_back(std::move(window));
       if (due >= 1) due -= 1;
@@ -145,7 +145,7 @@ Split SplitOf(std::span<const Samples> recordings, std::span<const Samples> held
 
 // The rms with these figures, of all windows.
 std::optional<double> RmsWith(const Replay& replay, const Figures& figures,
-                              std::span<const Window> windows) {
+                              std::span<const ReplayWindow> windows) {
   VectorXd residuals(replay.ResidualsOf(windows));
   double* const out = residuals.data();
   if (!replay.Run({&figures, 1}, windows, {&out, 1})) return std::nullopt;
@@ -154,14 +154,14 @@ std::optional<double> RmsWith(const Replay& replay, const Figures& figures,
 
 }  // namespace
 
-std::optional<Result> Identify(const Replay& replay, const Basis& basis,
-                               std::span<const Samples> recordings,
-                               std::span<const Samples> held_out, const Options& options,
-                               const std::function<void(const std::string&)>& told) {
+std::optional<Identification> Identify(const Replay& replay, const Basis& basis,
+                                       std::span<const Samples> recordings,
+                                       std::span<const Samples> held_out, const Options& options,
+                                       const std::function<void(const std::string&)>& told) {
   const Split split = SplitOf(recordings, held_out, options, replay.timestep());
   Telling telling{.kept = basis.Parameters(options.parameters, replay.bench()), .refused = {}};
   const Figures before = basis.With({}, {});
-  Result result{.window = options.window};
+  Identification result{.window = options.window};
   result.fitted.windows = split.fitted.size();
   result.held_out.windows = split.held_out.size();
 
@@ -178,7 +178,7 @@ std::optional<Result> Identify(const Replay& replay, const Basis& basis,
       told(fmt::format("{} figures, {} windows", problem.inputs(), split.fitted.size()));
       starts = *found;
     }
-    // A direction that cannot be told is found before anything is fitted.
+    // A direction that cannot be determined is found before anything is fitted.
     MatrixXd slopes;
     if (!problem.Slopes(problem.Values(starts.front()), &slopes)) return std::nullopt;
     if (const auto singular = SingularDirection(slopes); !singular.empty()) {

@@ -1,4 +1,4 @@
-// Finds a robot's figures from recordings of it (docs/identify.md).
+// Finds a robot's figures from recordings of it (docs/reference/identify.md).
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 namespace understudy::identify {
 
 struct Options {
-  std::vector<std::string> parameters{};  // names of Quantities(); empty: the usual ones
+  std::vector<std::string> parameters{};  // names of FigureKinds(); empty: the usual ones
   double window = 0.2;                    // s
   double hold_out = 0.25;                 // share of the windows, 0 to 0.9; 0: none
 };
@@ -43,7 +43,7 @@ struct Fit {
   std::size_t windows = 0;
 };
 
-struct Result {
+struct Identification {
   std::vector<Found> found{};
   std::vector<Correlated> correlated{};  // by more than 0.9
   Fit fitted{}, held_out{};
@@ -53,15 +53,15 @@ struct Result {
 // Fits by least squares. Windows of `held_out` recordings, or else every so many of the others, are
 // not fitted to. `told` gets lines of progress. Throws RecordError where there is too little to
 // fit. Returns nullopt if a signal asked to stop.
-std::optional<Result> Identify(const Replay& replay, const Basis& basis,
-                               std::span<const Samples> recordings,
-                               std::span<const Samples> held_out, const Options& options,
-                               const std::function<void(const std::string&)>& told);
+std::optional<Identification> Identify(const Replay& replay, const Basis& basis,
+                                       std::span<const Samples> recordings,
+                                       std::span<const Samples> held_out, const Options& options,
+                                       const std::function<void(const std::string&)>& told);
 
 // For a terminal; for programs; and for --config.
-std::string ResultText(const Result& result, std::span<const Samples> recordings);
-std::string ResultJson(const Result& result, std::span<const Samples> recordings);
-std::string ResultYaml(const Result& result, const Basis& basis,
+std::string ResultText(const Identification& result, std::span<const Samples> recordings);
+std::string ResultJson(const Identification& result, std::span<const Samples> recordings);
+std::string ResultYaml(const Identification& result, const Basis& basis,
                        std::span<const Samples> recordings);
 
 }  // namespace understudy::identify

@@ -24,7 +24,7 @@ constexpr double kSmallGain = 1e-5;  // of the sum of squares, at which a fit en
 struct Bounded {
   double value = 0, slope = 0;
 };
-Bounded Within(const Quantity& quantity, double x) {
+Bounded Within(const FigureKind& quantity, double x) {
   const double share = 1 / (1 + std::exp(-x));
   const double slope = share * (1 - share);
   if (!quantity.ratio) {
@@ -35,7 +35,7 @@ Bounded Within(const Quantity& quantity, double x) {
   const double value = quantity.least * std::exp(span * share);
   return {value, value * span * slope};
 }
-double FreeOf(const Quantity& quantity, double value) {
+double FreeOf(const FigureKind& quantity, double value) {
   const double share = quantity.ratio ? std::log(std::max(value, quantity.least) / quantity.least) /
                                             std::log(quantity.most / quantity.least)
                                       : (value - quantity.least) / (quantity.most - quantity.least);
@@ -152,7 +152,7 @@ std::optional<std::vector<VectorXd>> StartsOf(const Problem& problem) {
     if (parameter.group == Parameter::kAll) delay = i;
   }
   if (delay < 0) return std::vector<VectorXd>{x};
-  std::vector<Window> some;
+  std::vector<ReplayWindow> some;
   const std::size_t by = (problem.windows.size() + kGridWindows - 1) / kGridWindows;
   for (std::size_t i = 0; i < problem.windows.size(); i += by) some.push_back(problem.windows[i]);
   Problem coarse{.replay = problem.replay,
@@ -162,7 +162,7 @@ std::optional<std::vector<VectorXd>> StartsOf(const Problem& problem) {
   std::vector<std::pair<double, double>> grid;  // rms, delay
   for (int i = 0; i * kDelayStep <= kLongestDelay + 1e-9; ++i) {
     VectorXd residuals;
-    const Quantity& quantity = *problem.parameters[static_cast<std::size_t>(delay)].quantity;
+    const FigureKind& quantity = *problem.parameters[static_cast<std::size_t>(delay)].quantity;
     x[delay] = FreeOf(quantity, i * kDelayStep);
     if (coarse(x, residuals) < 0) return std::nullopt;
     grid.emplace_back(Rms(residuals), x[delay]);

@@ -27,7 +27,7 @@ struct Problem {
   const Replay& replay;
   const Basis& basis;
   std::vector<Parameter> parameters;
-  std::span<const Window> windows;
+  std::span<const ReplayWindow> windows;
   Eigen::Index count = replay.ResidualsOf(windows);
 
   int inputs() const { return static_cast<int>(parameters.size()); }
@@ -37,7 +37,7 @@ struct Problem {
 
   // Below 0 asks the solver to stop.
   int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) const;
-  // Slopes by the free variables; below 0 likewise.
+  // Slopes by the free variables; below 0 asks the solver to stop.
   int df(const Eigen::VectorXd& x, Eigen::MatrixXd& slopes) const;
   // Slopes by the values themselves, of central differences. Returns false if a signal asked to
   // stop.

@@ -10,7 +10,7 @@
 namespace understudy::identify {
 namespace {
 
-constexpr double kSure = 0.95;  // of the intervals that are told
+constexpr double kSure = 0.95;  // of the printed intervals
 
 std::string Names(std::span<const Samples> recordings) {
   std::string names;
@@ -36,7 +36,7 @@ double Found::Bar(double probability) const {
   return StudentQuantile(probability, freedom) * error;
 }
 
-std::string ResultText(const Result& result, std::span<const Samples> recordings) {
+std::string ResultText(const Identification& result, std::span<const Samples> recordings) {
   std::string text = fmt::format("{}, in windows of {} s\n\n{:<24} {:>10} {:>10} {:>12} {:>12}\n",
                                  Names(recordings), result.window, "", "before", "after",
                                  "std. error", "95 %: +-");
@@ -56,7 +56,7 @@ std::string ResultText(const Result& result, std::span<const Samples> recordings
   return text;
 }
 
-std::string ResultJson(const Result& result, std::span<const Samples> recordings) {
+std::string ResultJson(const Identification& result, std::span<const Samples> recordings) {
   nlohmann::json json{{"window", result.window},
                       {"fitted", FitJson(result.fitted)},
                       {"held_out", FitJson(result.held_out)},
@@ -84,7 +84,7 @@ std::string ResultJson(const Result& result, std::span<const Samples> recordings
   return json.dump(2) + "\n";
 }
 
-std::string ResultYaml(const Result& result, const Basis& basis,
+std::string ResultYaml(const Identification& result, const Basis& basis,
                        std::span<const Samples> recordings) {
   std::vector<Parameter> kept;
   std::vector<double> values;

@@ -12,7 +12,7 @@ namespace {
 using Fitted = robot::FittedDynamicsSpec;
 
 // Ranges are *assumed*: wider than any published figure of these robots by a factor of ten.
-const std::array<Quantity, 7> kQuantities{{
+const std::array<FigureKind, 7> kFigureKinds{{
     {"armature", "kg·m²", 1e-5, 2, true, 0.5, true, "move faster: a higher --to-hz",
      &Fitted::armature},
     {"damping", "N·m·s/rad", 1e-4, 50, true, 0.5, true, "move faster and wider, with a lower kd",
@@ -79,7 +79,7 @@ double KdShareOf(const robot::RobotSpec& spec, int slot) {
 
 }  // namespace
 
-std::span<const Quantity> Quantities() { return kQuantities; }
+std::span<const FigureKind> FigureKinds() { return kFigureKinds; }
 
 Basis::Basis(const robot::RobotSpec& robot, const physics::Bench& bench, bool by_joint)
     : spec(robot), groups(GroupsOf(robot, by_joint)) {
@@ -107,14 +107,14 @@ Basis::Basis(const robot::RobotSpec& robot, const physics::Bench& bench, bool by
 std::vector<Parameter> Basis::Parameters(const std::vector<std::string>& names,
                                          const physics::Bench& bench) const {
   std::vector<std::string> valid;
-  for (const Quantity& quantity : kQuantities) valid.emplace_back(quantity.name);
+  for (const FigureKind& quantity : kFigureKinds) valid.emplace_back(quantity.name);
   for (const std::string& name : names) {
     if (std::ranges::count(valid, name) == 0) {
       throw ConfigError("--parameters: no '" + name + "'" + NearestHint(name, valid));
     }
   }
   std::vector<Parameter> parameters;
-  for (const Quantity& quantity : kQuantities) {
+  for (const FigureKind& quantity : kFigureKinds) {
     const bool asked = std::ranges::count(names, quantity.name) > 0;
     if (!(names.empty() ? quantity.usual : asked)) continue;
     if (quantity.name == "delay") {
@@ -146,7 +146,7 @@ Figures Basis::With(std::span<const Parameter> parameters, std::span<const doubl
                   .delay = spec.dynamics.delay,
                   .mass = std::vector<double>(robot::AllMotors(spec).size(), 1.0)};
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const Quantity& quantity = *parameters[i].quantity;
+    const FigureKind& quantity = *parameters[i].quantity;
     if (parameters[i].group == Parameter::kAll) {
       figures.delay = values[i];
       continue;

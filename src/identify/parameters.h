@@ -13,7 +13,7 @@
 namespace understudy::identify {
 
 // A kind of figure. One row is all that there is to know of it.
-struct Quantity {
+struct FigureKind {
   std::string_view name;  // as --parameters has it, and the key of the robot's YAML
   std::string_view unit;
   double least = 0, most = 0;  // within which it is looked for
@@ -26,7 +26,7 @@ struct Quantity {
   double robot::MotorSpec::*motor = nullptr;
 };
 
-std::span<const Quantity> Quantities();
+std::span<const FigureKind> FigureKinds();
 
 // Joints that share their figures: a row of robot.dynamics.fitted, or one joint.
 struct Group {
@@ -36,7 +36,7 @@ struct Group {
 
 // A figure to be fitted.
 struct Parameter {
-  const Quantity* quantity = nullptr;
+  const FigureKind* quantity = nullptr;
   std::size_t group = kAll;
   double before = 0;
   std::vector<std::size_t> limbs{};  // that it can move; empty: all

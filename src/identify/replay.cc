@@ -10,8 +10,8 @@
 
 namespace understudy::identify {
 
-std::vector<Window> WindowsOf(const Samples& samples, double seconds, double timestep) {
-  std::vector<Window> windows;
+std::vector<ReplayWindow> WindowsOf(const Samples& samples, double seconds, double timestep) {
+  std::vector<ReplayWindow> windows;
   const std::vector<double>& times = samples.times;
   for (std::size_t first = 0; first + 1 < times.size();) {
     if (!IsAmongStates(samples, first)) {
@@ -44,13 +44,13 @@ Replay::Replay(const physics::PlacedRobot& robot, const std::filesystem::path& s
   }
 }
 
-Eigen::Index Replay::ResidualsOf(std::span<const Window> windows) const {
+Eigen::Index Replay::ResidualsOf(std::span<const ReplayWindow> windows) const {
   std::size_t count = 0;
-  for (const Window& window : windows) count += (window.count - 1) * motors_;
+  for (const ReplayWindow& window : windows) count += (window.count - 1) * motors_;
   return static_cast<Eigen::Index>(count);
 }
 
-void Replay::Simulate(physics::Bench* bench, const Figures& figures, const Window& window,
+void Replay::Simulate(physics::Bench* bench, const Figures& figures, const ReplayWindow& window,
                       double* out) const {
   const Samples& samples = *window.samples;
   physics::RobotBody& body = bench->robot();
@@ -92,11 +92,11 @@ void Replay::Simulate(physics::Bench* bench, const Figures& figures, const Windo
   }
 }
 
-bool Replay::Run(std::span<const Figures> figures, std::span<const Window> windows,
+bool Replay::Run(std::span<const Figures> figures, std::span<const ReplayWindow> windows,
                  std::span<double* const> out) const {
   std::vector<std::size_t> places;  // of each window's numbers
   std::size_t place = 0;
-  for (const Window& window : windows) {
+  for (const ReplayWindow& window : windows) {
     places.push_back(place);
     place += (window.count - 1) * motors_;
   }

@@ -15,7 +15,7 @@
 namespace understudy::identify {
 
 // A part of a recording that is simulated by itself.
-struct Window {
+struct ReplayWindow {
   const Samples* samples = nullptr;
   std::size_t first = 0, count = 0;  // states, the first of which is where it starts
   JointState start{};
@@ -25,7 +25,7 @@ struct Window {
 // Those with a pause of more than 50 ms between two states, or without a command at their start,
 // are left out; none starts where the state is not known well, at the ends of the recording and
 // beside such a pause (IsAmongStates).
-std::vector<Window> WindowsOf(const Samples& samples, double seconds, double timestep);
+std::vector<ReplayWindow> WindowsOf(const Samples& samples, double seconds, double timestep);
 
 // The figures of a simulation.
 struct Figures {
@@ -49,15 +49,15 @@ class Replay {
   // state after the first and motor. 0 where an angle is not known, or once the physics diverged
   // kDiverged. `out` has ResidualsOf(windows) numbers. One set of figures after the other, each
   // with its own `out`. Returns false if a signal asked to stop, with `out` unfinished.
-  bool Run(std::span<const Figures> figures, std::span<const Window> windows,
+  bool Run(std::span<const Figures> figures, std::span<const ReplayWindow> windows,
            std::span<double* const> out) const;
 
-  Eigen::Index ResidualsOf(std::span<const Window> windows) const;
+  Eigen::Index ResidualsOf(std::span<const ReplayWindow> windows) const;
 
  private:
   static constexpr double kDiverged = 1;  // rad
 
-  void Simulate(physics::Bench* bench, const Figures& figures, const Window& window,
+  void Simulate(physics::Bench* bench, const Figures& figures, const ReplayWindow& window,
                 double* out) const;
 
   std::size_t motors_;

@@ -17,6 +17,7 @@
 #include "base/nearest_word.h"
 #include "record/cdr_field.h"
 #include "record/player.h"
+#include "wire/robot_topics.h"
 
 namespace understudy::identify {
 namespace {
@@ -154,14 +155,15 @@ Samples ReadRecording(const record::RecordingReader& reader, const robot::RobotS
   reader.ReadMessages([&](const record::McapChannel& channel, const record::McapMessage& message) {
     const record::McapSchema* schema = reader.SchemaOf(channel);
     const std::string topic = record::TopicOnWire(channel);
-    if (schema == nullptr || (topic != "rt/lowstate" && topic != "rt/lowcmd")) return true;
+    if (schema == nullptr || (topic != wire::kLowStateName && topic != wire::kLowCmdName))
+      return true;
     if (!schema->name.starts_with(family)) {
       throw RecordError(file + ": " + topic + " is of " + schema->name + ", but a " + spec.name +
                         " speaks " + family);
     }
     const double at =
         1e-9 * static_cast<double>(message.log_time - std::min(begin, message.log_time));
-    if (topic == "rt/lowcmd") {
+    if (topic == wire::kLowCmdName) {
       if (places.empty()) {
         for (const auto& motor : spec.motors) places.push_back(PlacesOf(schema->name, motor.slot));
       }

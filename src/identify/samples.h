@@ -1,4 +1,4 @@
-// What a recording says of joints and of commands to them, for fitting a robot's figures.
+// Joint states and joint commands of a recording, for fitting a robot's figures.
 #pragma once
 
 #include <filesystem>

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 }  // namespace
 
-Uncertainty UncertaintyOf(const Replay& replay, std::span<const Window> windows,
+Uncertainty UncertaintyOf(const Replay& replay, std::span<const ReplayWindow> windows,
                           const MatrixXd& slopes, const VectorXd& residuals) {
   const Index p = slopes.cols();
   const auto motors = static_cast<Index>(replay.motors());
@@ -34,7 +34,7 @@ Uncertainty UncertaintyOf(const Replay& replay, std::span<const Window> windows,
   VectorXd shares = VectorXd::Zero(p), squares = VectorXd::Zero(p);
   double clusters = 0;
   Index begin = 0;
-  for (const Window& window : windows) {
+  for (const ReplayWindow& window : windows) {
     const Index end = begin + static_cast<Index>(window.count - 1) * motors;
     for (std::size_t limb = 0; limb < limbs; ++limb) {
       VectorXd score = VectorXd::Zero(p), share = VectorXd::Zero(p);

@@ -15,8 +15,8 @@ struct Uncertainty {
 };
 
 // From the residuals [rad] of windows, in the order of Replay::Run, and their slopes by the figures
-// (docs/identify.md, "What it does").
-Uncertainty UncertaintyOf(const Replay& replay, std::span<const Window> windows,
+// (docs/reference/identify.md, "What it does").
+Uncertainty UncertaintyOf(const Replay& replay, std::span<const ReplayWindow> windows,
                           const Eigen::MatrixXd& slopes, const Eigen::VectorXd& residuals);
 
 // Returns within how many standard errors Student's t lies with a probability from 0 to 1,

@@ -222,7 +222,7 @@ void ClaimJudge::Close() {
   Decide(verdict_.worth.holds() ? Outcome::kPassed : Outcome::kFailed);
 }
 
-void ClaimJudge::Finish(Time last) {
+void ClaimJudge::Finish(Time last, bool cut) {
   if (stage_ == Stage::kOver) return;
   if (stage_ == Stage::kBefore) {
     stage_ = Stage::kOver;
@@ -231,7 +231,7 @@ void ClaimJudge::Finish(Time last) {
   }
   // A window to the end is over now; another one was not to end here.
   const bool open =
-      last_ || claim_.to.when || (claim_.op == Operator::kSettles && last < FoldsFrom());
+      cut || last_ || claim_.to.when || (claim_.op == Operator::kSettles && last < FoldsFrom());
   if (!open) return Close();
   stage_ = Stage::kOver;
   if (verdict_.outcome == Outcome::kUndecided) Decide(Outcome::kNotJudged, Reason::kEndedWithin);

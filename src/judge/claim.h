@@ -1,4 +1,4 @@
-// What is expected of a run, and what became of it.
+// Claims about a run, and their verdicts.
 #pragma once
 
 #include <cstdint>
@@ -95,8 +95,8 @@ class ClaimJudge {
 
   // The signals have these values from `begin` to `end`.
   void Advance(Time begin, Time end, std::span<const double> signals);
-  // No sample comes after `last`.
-  void Finish(Time last);
+  // No sample comes after `last`; `cut`: though some were to come, so a window to the end is open.
+  void Finish(Time last, bool cut = false);
 
   // kUndecided while samples to come may change the outcome. The margin may change until Finish.
   const Verdict& verdict() const { return verdict_; }

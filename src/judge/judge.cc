@@ -18,11 +18,11 @@ void Judge::Take(Time at, std::span<const double> signals) {
   signals_.assign(signals.begin(), signals.end());
 }
 
-void Judge::Finish() {
+void Judge::Finish(bool cut) {
   if (!now_) return;
   for (ClaimJudge& judge : judges_) {
     judge.Advance(*now_, *now_ + 1, signals_);
-    judge.Finish(*now_);
+    judge.Finish(*now_, cut);
   }
 }
 

@@ -20,8 +20,8 @@ class Judge {
   // The signals at `at`, which they keep until the next sample; NaN: nothing has been said yet.
   // Ignores a sample that is not later than the one before.
   void Take(Time at, std::span<const double> signals);
-  // No sample comes any more.
-  void Finish();
+  // No sample comes any more; `cut`: though some were to come, as in a run that is interrupted.
+  void Finish(bool cut = false);
 
   const Verdict& verdict(std::size_t claim) const { return judges_[claim].verdict(); }
   std::size_t size() const { return judges_.size(); }

@@ -44,7 +44,7 @@ class Reader {
     if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
       const int line = document.ErrorLineNum();
       throw ModelError(name + (line > 0 ? ":" + std::to_string(line) : "") +
-                       ": not well-formed XML: " + ErrorText(document));
+                       ": is not XML: " + ErrorText(document));
     }
     const tinyxml2::XMLElement* root = document.RootElement();
     if (root == nullptr) throw ModelError(name + ": holds no element; expected <mujoco>");
@@ -53,15 +53,28 @@ class Reader {
 
  private:
   static std::string ErrorText(const tinyxml2::XMLDocument& document) {
-    if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) return "nested too deep";
-    return tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID());
+    switch (document.ErrorID()) {
+      case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+        return "nested too deep";
+      case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+        return "it is empty";
+      case tinyxml2::XML_ERROR_PARSING_TEXT:
+        return "text where an element should be";
+      case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+        return "expected name=\"value\"";
+      case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+        return "an element is not closed";
+      default:
+        return tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID());
+    }
   }
 
   std::string ReadText(const path& file, const std::string& asked_by) {
     const std::string place = (asked_by.empty() ? "" : asked_by + ": ") + file.string();
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) {
-      throw ModelError(place + ": no such file");
+      throw ModelError(place + (std::filesystem::is_directory(file, error) ? ": is a folder"
+                                                                           : ": no such file"));
     }
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error || size > kMostBytes - bytes_) {

@@ -48,7 +48,7 @@ struct MjcfText {
 // reads.
 MjcfElement ReadMjcf(const std::filesystem::path& file);
 
-// Reads other XML the same way, whatever its root; names of asset files stay as written.
+// Reads other XML the same way, with any root; names of asset files stay as written.
 MjcfElement ReadXml(const std::filesystem::path& file);
 
 // One line for the start and one for the end of each element.

@@ -64,6 +64,16 @@ void FitBodies(const mjModel& model, robot::RobotSpec* spec, std::vector<std::st
     if (spec->crane_body == spec->base_body) spec->crane_body = free;
     spec->base_body = free;
   }
+  if (!spec->lidar.body.empty() && !Has(model, mjOBJ_BODY, spec->lidar.body)) {
+    notes->push_back("the model has no body '" + spec->lidar.body + "': the robot has no lidar");
+    spec->lidar.make = "none";
+  }
+  std::erase_if(spec->cameras, [&](const robot::CameraSpec& camera) {
+    if (camera.body.empty() || Has(model, mjOBJ_BODY, camera.body)) return false;
+    notes->push_back("the model has no body '" + camera.body + "': the robot has no camera '" +
+                     camera.name + "'");
+    return true;
+  });
   if (Has(model, mjOBJ_BODY, spec->crane_body)) return;
   notes->push_back("the model has no body '" + spec->crane_body +
                    "': the crane's hook is in the base");

@@ -159,10 +159,11 @@ void AddPrefix(const std::string& prefix, MjcfElement* root) {
 }
 
 robot::RobotSpec WithPrefix(const std::string& prefix, robot::RobotSpec spec) {
-  for (std::string* name :
-       {&spec.base_body, &spec.crane_body, &spec.imu.site, &spec.imu.secondary_site}) {
+  for (std::string* name : {&spec.base_body, &spec.crane_body, &spec.imu.site,
+                            &spec.imu.secondary_site, &spec.lidar.body}) {
     Prepend(prefix, name);
   }
+  for (robot::CameraSpec& camera : spec.cameras) Prepend(prefix, &camera.body);
   for (std::string& joint : spec.locked_joints) Prepend(prefix, &joint);
   for (robot::BodySpec& body : spec.bodies) Prepend(prefix, &body.name);
   for (robot::SiteSpec& site : spec.sites) Prepend(prefix, &site.name);

@@ -1,4 +1,4 @@
-// What a model has for the eye only. Nobody looks at this world, so it need not be compiled.
+// Removes visual-only geoms from a running model: nobody looks at it, so they need no compiling.
 #pragma once
 
 #include <string>

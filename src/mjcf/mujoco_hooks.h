@@ -7,7 +7,7 @@ namespace understudy::mjcf {
 
 // From the first call on an error of MuJoCo throws ModelError, and each thread keeps the last
 // warning of its own calls. Without it the library waits for Enter on the terminal and writes
-// MUJOCO_LOG.TXT. Whatever loads a model calls it.
+// MUJOCO_LOG.TXT. Call it before loading a model.
 void InstallMujocoHooks();
 
 // The last warning in this thread since the last call, at most 511 characters; "" where there was

@@ -29,13 +29,13 @@ bool IsBelow(const mjModel& model, int body, int ancestor) {
   return body == ancestor;
 }
 
-void RandomizeBodies(const robot::RandomizationSpec& ranges, int base, robot::Dice* dice,
-                     mjModel* model) {
+void RandomizeBodies(const robot::RandomizationSpec& ranges, int base,
+                     robot::Randomizer* randomizer, mjModel* model) {
   for (int body = base; body < static_cast<int>(model->nbody); ++body) {
     if (!IsBelow(*model, body, base) || model->body_mass[body] <= 0) continue;
     const std::string name = BodyName(*model, body);
-    const double mass = dice->DrawOr("mass", name, ranges.mass, 1);
-    const double inertia = mass * dice->DrawOr("inertia", name, ranges.inertia, 1);
+    const double mass = randomizer->DrawOr("mass", name, ranges.mass, 1);
+    const double inertia = mass * randomizer->DrawOr("inertia", name, ranges.inertia, 1);
     model->body_mass[body] *= mass;
     mju_scl3(model->body_inertia + 3 * body, model->body_inertia + 3 * body, inertia);
   }
@@ -55,28 +55,34 @@ void ForgetCoincidences(int body, mjModel* model) {
 #endif
 }
 
-void MoveCentreOfMass(const Limits& limits, int base, robot::Dice* dice, mjModel* model) {
+void MoveCentreOfMass(const Limits& limits, const std::string& base_body,
+                      robot::Randomizer* randomizer, mjModel* model) {
   if (limits.empty()) return;
+  const int base = Find(*model, mjOBJ_BODY, base_body);
+  // Of several robots the axes have the name of theirs, as "left/x".
+  const std::string prefix = base_body.substr(0, base_body.find('/') + 1);
   mjtNum offset[3];
-  for (int i = 0; i < 3; ++i) offset[i] = dice->DrawOr("base_com", kAxes[i], limits, 0);
+  for (int i = 0; i < 3; ++i)
+    offset[i] = randomizer->DrawOr("base_com", prefix + kAxes[i], limits, 0);
   mju_addTo3(model->body_ipos + 3 * base, offset);
   ForgetCoincidences(base, model);
 }
 
 void RandomizeJoints(const robot::RandomizationSpec& ranges, const robot::RobotSpec& robot,
-                     robot::Dice* dice, mjModel* model) {
+                     robot::Randomizer* randomizer, mjModel* model) {
   for (const robot::MotorSpec* motor : robot::AllMotors(robot)) {
     const std::string& name = motor->joint;
     const int dof = model->jnt_dofadr[Find(*model, mjOBJ_JOINT, name)];
-    model->dof_damping[dof] *= dice->DrawOr("damping", name, ranges.damping, 1);
-    model->dof_armature[dof] *= dice->DrawOr("armature", name, ranges.armature, 1);
-    model->dof_frictionloss[dof] *= dice->DrawOr("frictionloss", name, ranges.frictionloss, 1);
+    model->dof_damping[dof] *= randomizer->DrawOr("damping", name, ranges.damping, 1);
+    model->dof_armature[dof] *= randomizer->DrawOr("armature", name, ranges.armature, 1);
+    model->dof_frictionloss[dof] *=
+        randomizer->DrawOr("frictionloss", name, ranges.frictionloss, 1);
   }
 }
 
 // One factor for all geoms, since a contact has the larger friction of the two.
-void RandomizeFriction(const Limits& limits, robot::Dice* dice, mjModel* model) {
-  const double factor = dice->DrawOr("friction", "", limits, 1);
+void RandomizeFriction(const Limits& limits, robot::Randomizer* randomizer, mjModel* model) {
+  const double factor = randomizer->DrawOr("friction", "", limits, 1);
   for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
     model->geom_friction[3 * geom] *= factor;
   }
@@ -98,9 +104,9 @@ void Soften(double factor, mjtNum* solref) {
   }
 }
 
-void RandomizeSoftness(const Limits& limits, robot::Dice* dice, mjModel* model) {
+void RandomizeSoftness(const Limits& limits, robot::Randomizer* randomizer, mjModel* model) {
   if (limits.empty()) return;
-  const double factor = dice->DrawOr("floor_softness", "", limits, 1);
+  const double factor = randomizer->DrawOr("floor_softness", "", limits, 1);
   for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
     Soften(factor, model->geom_solref + mjNREF * geom);
   }
@@ -109,13 +115,13 @@ void RandomizeSoftness(const Limits& limits, robot::Dice* dice, mjModel* model) 
   }
 }
 
-void TurnImu(const Limits& limits, const std::string& site_name, robot::Dice* dice,
+void TurnImu(const Limits& limits, const std::string& site_name, robot::Randomizer* randomizer,
              mjModel* model) {
   if (limits.empty() || site_name.empty()) return;
   const int site = Find(*model, mjOBJ_SITE, site_name);
   mjtNum rotation[3];
   for (int i = 0; i < 3; ++i) {
-    rotation[i] = dice->DrawOr("imu_mounting", site_name + " " + kAxes[i], limits, 0);
+    rotation[i] = randomizer->DrawOr("imu_mounting", site_name + " " + kAxes[i], limits, 0);
   }
   const mjtNum angle = mju_normalize3(rotation);
   mjtNum turn[4], turned[4];
@@ -125,10 +131,10 @@ void TurnImu(const Limits& limits, const std::string& site_name, robot::Dice* di
   model->site_sameframe[site] = 0;
 }
 
-void TiltGravity(const Limits& limits, robot::Dice* dice, mjModel* model) {
+void TiltGravity(const Limits& limits, robot::Randomizer* randomizer, mjModel* model) {
   if (limits.empty()) return;
-  const double angle = dice->DrawOr("gravity_tilt", "angle", limits, 0);
-  const double side = dice->Draw("gravity_tilt", "side", 0, 2 * std::numbers::pi);
+  const double angle = randomizer->DrawOr("gravity_tilt", "angle", limits, 0);
+  const double side = randomizer->Draw("gravity_tilt", "side", 0, 2 * std::numbers::pi);
   const mjtNum axis[3] = {std::cos(side), std::sin(side), 0};
   mjtNum turn[4], tilted[3];
   mju_axisAngle2Quat(turn, axis, angle);
@@ -139,18 +145,18 @@ void TiltGravity(const Limits& limits, robot::Dice* dice, mjModel* model) {
 }  // namespace
 
 void RandomizeModel(const robot::RandomizationSpec& ranges,
-                    std::span<const robot::RobotSpec> robots, robot::Dice* dice, mjModel* model) {
-  RandomizeFriction(ranges.friction, dice, model);
+                    std::span<const robot::RobotSpec> robots, robot::Randomizer* randomizer,
+                    mjModel* model) {
+  RandomizeFriction(ranges.friction, randomizer, model);
   for (const robot::RobotSpec& robot : robots) {
-    const int base = Find(*model, mjOBJ_BODY, robot.base_body);
-    RandomizeBodies(ranges, base, dice, model);
-    MoveCentreOfMass(ranges.base_com, base, dice, model);
-    RandomizeJoints(ranges, robot, dice, model);
-    TurnImu(ranges.imu_mounting, robot.imu.site, dice, model);
-    TurnImu(ranges.imu_mounting, robot.imu.secondary_site, dice, model);
+    RandomizeBodies(ranges, Find(*model, mjOBJ_BODY, robot.base_body), randomizer, model);
+    MoveCentreOfMass(ranges.base_com, robot.base_body, randomizer, model);
+    RandomizeJoints(ranges, robot, randomizer, model);
+    TurnImu(ranges.imu_mounting, robot.imu.site, randomizer, model);
+    TurnImu(ranges.imu_mounting, robot.imu.secondary_site, randomizer, model);
   }
-  TiltGravity(ranges.gravity_tilt, dice, model);
-  RandomizeSoftness(ranges.floor_softness, dice, model);
+  TiltGravity(ranges.gravity_tilt, randomizer, model);
+  RandomizeSoftness(ranges.floor_softness, randomizer, model);
   const DataHandle data(mj_makeData(model));
   mj_setConst(model, data.get());
 }

@@ -14,6 +14,7 @@ namespace understudy::mjcf {
 // constants that MuJoCo derives from masses. `model` is that of LoadWorldModel for those robots,
 // whose descriptions must have its names.
 void RandomizeModel(const robot::RandomizationSpec& ranges,
-                    std::span<const robot::RobotSpec> robots, robot::Dice* dice, mjModel* model);
+                    std::span<const robot::RobotSpec> robots, robot::Randomizer* randomizer,
+                    mjModel* model);
 
 }  // namespace understudy::mjcf

@@ -1,12 +1,17 @@
 #include "mjcf/revise.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
 #include "mjcf/joints.h"
+#include "robot/lens.h"
+#include "robot/rotations.h"
 
 namespace understudy::mjcf {
 namespace {
@@ -108,6 +113,28 @@ void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
     if (joint != nullptr) joint->Set("armature", NumbersText({&motor->armature, 1}));
   }
   if (!spec.locked_joints.empty()) Lock(spec.locked_joints, root);
+}
+
+void AddCameras(const robot::RobotSpec& spec, MjcfElement* root) {
+  for (std::size_t i = 0; i < spec.cameras.size(); ++i) {
+    const robot::CameraSpec& camera = spec.cameras[i];
+    TakeOut(root, [&](const MjcfElement& element) {
+      return element.name == "camera" && element.Get("name") == camera.name;
+    });
+    MjcfElement& body = Require(root, "body", camera.body.empty() ? spec.base_body : camera.body,
+                                "robot.cameras." + std::to_string(i) + ".body");
+    // MuJoCo's cameras look along -z, with x to the right and y up.
+    const Eigen::Matrix3d R_BC = robot::FromRollPitchYaw(camera.rpy);
+    const Eigen::Vector3d right = -R_BC.col(1);
+    const Eigen::Vector3d up = R_BC.col(2);
+    const double fovy = 2 * std::atan(robot::ReachOf(camera).y()) * 180 / std::numbers::pi;
+    MjcfElement element{.name = "camera", .attributes = {}, .children = {}, .place = body.place};
+    element.Set("name", camera.name);
+    element.Set("pos", NumbersText({camera.pos.data(), 3}));
+    element.Set("xyaxes", NumbersText({right.data(), 3}) + " " + NumbersText({up.data(), 3}));
+    element.Set("fovy", NumbersText({&fovy, 1}));
+    body.children.push_back(std::move(element));
+  }
 }
 
 }  // namespace understudy::mjcf

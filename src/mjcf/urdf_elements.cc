@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/errors.h"
+#include "base/printed.h"
 #include "mjcf/joints.h"
 
 namespace understudy::mjcf {
@@ -26,6 +27,10 @@ const MjcfElement* ChildOf(const MjcfElement& element, const std::string& name) 
 std::string NeededIn(const MjcfElement& element, const std::string& attribute) {
   std::string value = element.Get(attribute);
   if (value.empty()) FailAt(element, "<" + element.name + "> has no " + attribute);
+  if (value != Printable(value)) {
+    FailAt(element,
+           attribute + ": expected printable characters, found '" + Printable(value) + "'");
+  }
   return value;
 }
 

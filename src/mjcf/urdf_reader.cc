@@ -26,6 +26,7 @@ constexpr double kLeastInertia = 1e-6;        // kg·m²
 constexpr double kRotorInertia = 0.01;        // kg·m² at the joint, assumed
 constexpr std::size_t kMostLinksInARow = 90;  // of the levels that MuJoCo reads
 constexpr char kPackage[] = "package://";
+constexpr char kWorldLink[] = "world";  // the name of ROS for what robots are tied to
 
 class UrdfTree {
  public:
@@ -64,12 +65,15 @@ class UrdfTree {
                         ? "every link has a parent: they form a ring"
                         : "links without a parent: " + names + "; expected one, the base");
     }
-    robot_.base = roots.front();
+    const MjcfElement* const tie = TieToWorld(roots.front());
+    robot_.base = tie == nullptr ? roots.front() : LinkOf(*tie, "child");
+    robot_.fixed = tie != nullptr && tie->Get("type") == "fixed";
     robot_.model = {.name = "mujoco", .attributes = {}, .children = {}, .place = root_.place};
     robot_.model.Set("model", root_.Get("name"));
     MjcfElement world = Made("worldbody");
-    world.children.push_back(Body(*links_.at(robot_.base), nullptr, 1));
-    if (robot_.bodies.size() != links_.size()) FailAt(root_, "some links form a ring");
+    world.children.push_back(Body(*links_.at(robot_.base), robot_.fixed ? tie : nullptr, 1));
+    const std::size_t places = tie == nullptr ? 0 : 1;  // links that are no bodies
+    if (robot_.bodies.size() + places != links_.size()) FailAt(root_, "some links form a ring");
     AddHead();
     robot_.model.children.push_back(std::move(world));
     return std::move(robot_);
@@ -86,6 +90,27 @@ class UrdfTree {
     std::vector<std::string> names;
     for (const auto& [name, ignored] : links_) names.push_back(name);
     FailAt(*element, "no link '" + link + "'" + NearestHint(link, names));
+  }
+
+  // Returns the joint that ties the base to a root link which only names the world: a floating one,
+  // or any of a root that is called "world". Null if the root is the base itself.
+  const MjcfElement* TieToWorld(const std::string& root) {
+    const std::vector<const MjcfElement*>& joints = children_[root];
+    const auto floats = [](const MjcfElement* one) { return one->Get("type") == "floating"; };
+    if (root != kWorldLink && std::ranges::none_of(joints, floats)) return nullptr;
+    const MjcfElement& link = *links_.at(root);
+    const std::string stands = "link '" + root + "' stands for the world; expected ";
+    for (const MjcfElement& part : link.children) {
+      if (part.name == "inertial" || part.name == "visual" || part.name == "collision") {
+        FailAt(part, stands + "it without <" + part.name + ">");
+      }
+    }
+    if (joints.size() != 1) FailAt(link, stands + "one joint below it, the base's");
+    const std::string type = joints.front()->Get("type");
+    if (type != "fixed" && type != "floating") {
+      FailAt(*joints.front(), stands + "a fixed or a floating joint below it, not " + type);
+    }
+    return joints.front();
   }
 
   void ReadJoints() {
@@ -146,9 +171,10 @@ class UrdfTree {
       const UrdfOrigin origin = OriginOf(*inertial);
       const MjcfElement* given = ChildOf(*inertial, "inertia");
       const auto n = [&](const char* name) { return NumberIn(given, name, 0); };
+      const double xx = n("ixx"), xy = n("ixy"), xz = n("ixz"), yy = n("iyy"), yz = n("iyz"),
+                   zz = n("izz");
       Matrix3d about_own;
-      about_own << n("ixx"), n("ixy"), n("ixz"), n("ixy"), n("iyy"), n("iyz"), n("ixz"), n("iyz"),
-          n("izz");
+      about_own << xx, xy, xz, xy, yy, yz, xz, yz, zz;
       const Matrix3d r = origin.r.toRotationMatrix();
       const Matrix3d i = r * about_own * r.transpose();
       const std::array<double, 6> full{i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)};
@@ -170,8 +196,10 @@ class UrdfTree {
   MjcfElement Joint(const MjcfElement& joint) {
     const std::string name = joint.Get("name"), type = NeededIn(joint, "type");
     if (type != "revolute" && type != "continuous" && type != "prismatic") {
-      FailAt(joint, "joint '" + name + "' is " + type +
-                        "; expected fixed, revolute, continuous or prismatic");
+      FailAt(joint,
+             "joint '" + name + "' is " + type +
+                 "; expected fixed, revolute, continuous or prismatic (floating only between "
+                 "a root link that is empty and the base)");
     }
     const Vector3d axis = VectorIn(ChildOf(joint, "axis"), "xyz", Vector3d::UnitX());
     if (axis.norm() < 1e-6) FailAt(joint, "joint '" + name + "' has an axis without direction");
@@ -240,7 +268,7 @@ class UrdfTree {
                                   : "MuJoCo reads STL, OBJ and MSH; convert it";
       if (!looks) FailAt(shape, "mesh " + name + ": " + why);
       robot_.notes.push_back(shape.place.text() + ": mesh " + name + ": " + why +
-                             "; it is only looked at and is left out");
+                             "; visual mesh skipped");
       return false;
     }
     geom->Set("type", "mesh");

@@ -15,7 +15,7 @@ namespace understudy::mjcf {
 struct UrdfReadJoint {
   std::string name;
   double effort = 0;                           // N·m or N; 0 = the file does not say
-  double velocity = 0;                         // rad/s or m/s; likewise
+  double velocity = 0;                         // rad/s or m/s; 0 = the file does not say
   std::optional<std::array<double, 2>> range;  // rad or m; nullopt: it has none
 };
 
@@ -26,10 +26,13 @@ struct UrdfReadMesh {
 };
 
 struct UrdfRobot {
-  MjcfElement model;                  // <mujoco>: no actuators, no sites, no ground
-  std::string base;                   // the link without a parent; its body has a free joint
+  MjcfElement model;  // <mujoco>: no actuators, no sites, no ground
+  // The link without a parent, or the one that a floating joint ties to an empty link without a
+  // parent, such as "world" or "odom"; its body has a free joint.
+  std::string base;
+  bool fixed = false;  // the base hangs on an empty link "world" by a fixed joint: no free joint
   std::vector<UrdfReadJoint> joints;  // in the order of the tree, children after parents
-  std::vector<std::string> bodies;    // likewise; the base is the first
+  std::vector<std::string> bodies;    // in the order of the tree; the base is the first
   std::vector<UrdfReadMesh> meshes;
   std::vector<std::string> notes;  // what was left out or made up, one line each
 };

@@ -3,6 +3,9 @@
 namespace understudy::motion {
 
 authority::MotionVerdict DampingMotion::Ask(const authority::MotionGoal& goal) {
+  if (std::holds_alternative<authority::goal::Fall>(goal)) {
+    return authority::MotionVerdict::kNotNow;  // nothing holds it up
+  }
   const auto* fsm = std::get_if<authority::goal::SetFsm>(&goal);
   const bool damp = std::holds_alternative<authority::goal::Damp>(goal) ||
                     (fsm != nullptr && fsm->id == damped_.id);
@@ -14,7 +17,6 @@ authority::MotionVerdict DampingMotion::Ask(const authority::MotionGoal& goal) {
 }
 
 void DampingMotion::Step(const authority::MotionInput&, double, robot::RobotCommand* command) {
-  command->joint_space = robot::JointSpace::kPitchRoll;
   const robot::MotorCommand damped{.enabled = true, .q = robot::kNoPosition, .kd = kd_};
   for (robot::MotorCommand& motor : command->motors)
     motor = is_limp_ ? robot::MotorCommand{} : damped;

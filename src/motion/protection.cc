@@ -29,7 +29,7 @@ bool IsSetting(const MotionGoal& goal) {
                  goal::LastingMoves, goal::ResetEstimator>(goal);
 }
 
-// As seen on a Go2 (docs/fidelity.md).
+// As seen on a Go2 (docs/reference/fidelity.md).
 bool SparesCharge(const MotionGoal& goal) {
   return IsSetting(goal) || IsOneOf<goal::Damp, goal::StopMove, goal::RecoveryStand>(goal);
 }
@@ -186,9 +186,12 @@ robot::MotionState ProtectedMotion::state() const {
 bool ProtectedMotion::Act(Danger danger, Protection does) {
   using authority::MotionVerdict;
   switch (does) {
-    case Protection::kDamp:
-      return motion_->Ask(danger == Danger::kTilt ? MotionGoal(goal::Fall{}) : goal::Damp{}) ==
-             MotionVerdict::kTaken;
+    case Protection::kDamp: {
+      MotionVerdict verdict = MotionVerdict::kUnable;
+      if (danger == Danger::kTilt) verdict = motion_->Ask(goal::Fall{});
+      if (verdict == MotionVerdict::kUnable) verdict = motion_->Ask(goal::Damp{});
+      return verdict == MotionVerdict::kTaken;
+    }
     case Protection::kLieDown:
       motion_->Ask(goal::StandDown{});
       return true;

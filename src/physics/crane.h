@@ -10,7 +10,7 @@ namespace understudy::physics {
 struct CraneConfig {
   double length = 0.6;       // m of tether between anchor and hook at the start
   double stiffness = 20000;  // N/m, of both straps together
-  double damping = 1000;     // N·s/m, likewise, only while a strap is taut
+  double damping = 1000;     // N·s/m, of both straps together, only while one is taut
   double speed = 0.1;        // m/s at which it is lowered or raised
 };
 
@@ -48,7 +48,7 @@ class Crane {
   Pulls Step(const Hooks& hooks, double dt);
 
   // Takes speed and damping of `config`, by neither of which a robot that hangs is moved.
-  void Follow(const CraneConfig& config) {
+  void Apply(const CraneConfig& config) {
     config_.speed = config.speed;
     config_.damping = config.damping;
   }

@@ -34,10 +34,7 @@ int Positions(int joint_type) {
 
 }  // namespace
 
-// Friction that nothing overcomes, as hard as MuJoCo has it: with its default of 0.9 a joint would
-// creep by some 0.1 rad/s under the weight of a leg.
-constexpr double kSeized = 1e4;  // N·m, assumed
-const RobotBody::JointFriction RobotBody::kJammed = {kSeized, {mjMAXIMP, mjMAXIMP}};
+constexpr double kSeized = 1e4;  // N·m of friction that nothing overcomes, assumed
 
 RobotBody::RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot, const mjModel* nominal)
     : model_(model),
@@ -136,13 +133,29 @@ void RobotBody::Clamp(bool on) {
   mju_negQuat(pose + 6, data_->qpos + base_q_ + 3);
 }
 
+std::span<const double> RobotBody::base_position() const {
+  if (has_fixed_base()) return {};
+  return {data_->qpos + base_q_, 7};
+}
+
+std::span<const double> RobotBody::base_velocity() const {
+  if (has_fixed_base()) return {};
+  return {data_->qvel + base_dq_, 6};
+}
+
+bool RobotBody::Has(int body) const {
+  return model_->body_rootid[body] == model_->body_rootid[base_body_];
+}
+
 bool RobotBody::clamped() const { return has_fixed_base() || Active(model_, data_)[clamp_] != 0; }
 
-void RobotBody::Brake(std::size_t motor, double drag, bool jammed) {
+void RobotBody::Brake(std::size_t motor, double drag, Grip grip) {
   const int dof = dq_address_[motor];
-  const JointFriction& friction = jammed ? kJammed : friction_[motor];
-  model_->dof_frictionloss[dof] = friction.torque + drag;
-  std::ranges::copy(friction.impedance, model_->dof_solimp + mjNIMP * dof);
+  const JointFriction& friction = friction_[motor];
+  model_->dof_frictionloss[dof] = (grip == Grip::kJammed ? kSeized : friction.torque) + drag;
+  mjtNum* impedance = model_->dof_solimp + mjNIMP * dof;
+  std::ranges::copy(friction.impedance, impedance);
+  if (grip != Grip::kYields) std::fill_n(impedance, friction.impedance.size(), mjMAXIMP);
 }
 
 std::vector<double> RobotBody::Armatures() const {
@@ -156,7 +169,7 @@ void RobotBody::FrictionPower(std::span<double> power) const {
     const int dof = dq_address_[i];
     const double dry = model_->dof_frictionloss[dof];
     const double rate = std::abs(dq_[i]);
-    power[i] = dry >= kJammed.torque ? 0 : (dry + model_->dof_damping[dof] * rate) * rate;
+    power[i] = dry >= kSeized ? 0 : (dry + model_->dof_damping[dof] * rate) * rate;
   }
 }
 

@@ -18,7 +18,8 @@ namespace understudy::physics {
 // A robot and its place in the world.
 struct PlacedRobot {
   robot::RobotSpec spec;
-  std::filesystem::path file{};  // its MJCF
+  std::filesystem::path file{};                // its MJCF
+  std::vector<std::filesystem::path> hands{};  // MJCF of its hands
   // Prefix of the robot's names in the world's model, different for each robot; "" for the only
   // robot.
   std::string prefix{};
@@ -38,7 +39,7 @@ class RobotBody {
   // and objects do not change. Readings are then those of the new state.
   void Reset(const robot::PoseSpec& pose);
 
-  // Gives the joints these rates [rad/s], in motor order. Readings stay those of before.
+  // Gives the joints these rates [rad/s], in motor order. Readings stay the old ones.
   void SetRates(std::span<const double> dq);
 
   // Sets the joint torques [N·m] in motor order, which must be finite. They act until the next call
@@ -49,14 +50,29 @@ class RobotBody {
   void Clamp(bool on);
   bool clamped() const;
 
+  // Returns position [m] and attitude (w, x, y, z) of the base in the world, and its velocity in
+  // the world [m/s] and turning rate in its own axes [rad/s], of the next step; empty for a fixed
+  // base.
+  std::span<const double> base_position() const;
+  std::span<const double> base_velocity() const;
+
+  // How the dry friction of a joint holds.
+  enum class Grip {
+    kYields,  // as MuJoCo has it: it gives way slowly, by some 0.1 rad/s under a leg's weight
+    kSticks,  // until more than the friction turns the joint
+    kJammed,  // nothing turns the joint
+  };
+
   // Gives the joint of a motor, by its place in motor order, `drag` [N·m] of friction more than it
-  // has, or keeps it from turning. Both last until the next call.
-  void Brake(std::size_t motor, double drag, bool jammed);
+  // has, and the grip of it. Both last until the next call.
+  void Brake(std::size_t motor, double drag, Grip grip);
 
   // Returns the world's index of a body of this robot. Throws ModelError if there is none.
   int Body(const std::string& name) const;
   // The same, but returns -1 if there is none.
   int FindBody(const std::string& name) const;
+  // Returns whether a body of the world is part of this robot.
+  bool Has(int body) const;
 
   // Joint angles [rad] and rates [rad/s] in motor order.
   std::span<const double> q() const { return q_; }
@@ -95,7 +111,6 @@ class RobotBody {
     double torque = 0;                  // N·m
     std::array<double, 2> impedance{};  // dmin and dmax of MuJoCo's solimp
   };
-  static const JointFriction kJammed;
 
   InertialUnit FindImu(const std::string& site) const;
   void ReadMotion();        // once mj_step1 has computed it
@@ -110,12 +125,12 @@ class RobotBody {
   robot::RobotSpec spec_;
   double x_, y_, yaw_;                       // m, rad
   std::vector<int> q_address_, dq_address_;  // in motor order
-  std::vector<JointFriction> friction_;      // likewise: as the model has it
+  std::vector<JointFriction> friction_;      // in motor order, as the model has it
   std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
   std::vector<Eigen::Vector3d> foot_axis_;
   int base_body_ = 0;
   int base_q_ = -1, base_dq_ = -1;  // of the free joint; -1 where the base is fixed
-  int clamp_ = -1;                  // likewise
+  int clamp_ = -1;                  // the equality of the clamp; -1: none
   InertialUnit imu_, secondary_imu_;
   Eigen::Vector3d imu_up_{0, 0, 1};
   std::vector<double> q_, dq_;

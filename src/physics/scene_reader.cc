@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstring>
 
-#include <malloc.h>
 #include <mujoco/mujoco.h>
 
 #include "mjcf/compile.h"
@@ -91,12 +90,7 @@ void AppendCounts(int first, int second, std::string* to) {
 }  // namespace
 
 const mjModel& SceneReader::model() {
-  if (!model_) {
-    model_ = make_();
-    // Compiling needs many times the memory of the result. This frees the rest if memory is not
-    // locked.
-    malloc_trim(0);
-  }
+  if (!model_) model_ = get_();
   return *model_;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,7 +27,7 @@ struct SceneGeom {
   std::string type;                        // MuJoCo's name: plane, hfield, sphere, capsule, ...
   std::array<double, 3> size{};            // m, as in MuJoCo for the type
   std::array<double, 3> pos{};             // m, in the body's frame
-  std::array<double, 4> quat{1, 0, 0, 0};  // likewise
+  std::array<double, 4> quat{1, 0, 0, 0};  // in the body's frame
   std::array<float, 4> rgba{};             // combined with the material's
   int group = 0;
   bool collides = false;
@@ -75,13 +76,13 @@ struct Scene {
   std::vector<SceneJoint> joints{};
 };
 
-// Reads a separate model, which it compiles at the first call, so that the tick is not involved.
-// For one thread. All functions throw what making the model throws.
+// Reads a model for viewers, which it gets at the first call. For one thread. All functions throw
+// what getting the model throws.
 class SceneReader {
  public:
-  using MakeModel = std::function<mjcf::ModelHandle()>;
+  using GetModel = std::function<std::shared_ptr<const mjModel>()>;
 
-  explicit SceneReader(MakeModel make) : make_(std::move(make)) {}
+  explicit SceneReader(GetModel get) : get_(std::move(get)) {}
 
   Scene Describe() { return DescribeScene(model()); }
   int meshes();
@@ -103,9 +104,9 @@ class SceneReader {
   const mjModel& model();
   static Scene DescribeScene(const mjModel& model);
 
-  MakeModel make_;
-  mjcf::ModelHandle model_;
-  mjcf::DataHandle data_;  // for Poses; null before
+  GetModel get_;
+  std::shared_ptr<const mjModel> model_;  // null before the first call
+  mjcf::DataHandle data_;                 // for Poses; null before
   std::vector<BodyPose> poses_;
 };
 

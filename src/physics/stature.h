@@ -1,4 +1,4 @@
-// What a model says of a robot's stature, for a description that is being written.
+// Measures a robot's model, for a description that is being written.
 #pragma once
 
 #include <array>

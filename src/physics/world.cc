@@ -48,9 +48,8 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
 bool World::IsGround(int geom) const {
   const int body = model_->geom_bodyid[geom];
   return model_->body_weldid[body] == 0 &&
-         std::none_of(robots_.begin(), robots_.end(), [&](const RobotBody& robot) {
-           return model_->body_rootid[body] == model_->body_rootid[robot.base_body_];
-         });
+         std::none_of(robots_.begin(), robots_.end(),
+                      [body](const RobotBody& robot) { return robot.Has(body); });
 }
 
 // Of two geoms that touch MuJoCo uses the friction of that with the higher priority.

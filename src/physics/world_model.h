@@ -24,7 +24,8 @@ struct LoadNotes {
 };
 
 // Compiles the robots in the scene at the given time step [s]: each where its `x` and `y` say,
-// where its description differs from its file as the description has it (mjcf/revise.h) and, where
+// with its hands on (mjcf/mount.h), where its description differs from its file as the description
+// has it (mjcf/revise.h) and, where
 // the base has a free joint, with an inactive weld of the base to the world. Joints have the
 // figures that the description's `dynamics` ask for (physics/joint_dynamics.h). MuJoCo's own
 // actuators and sensors are switched off: motors and readings are ours. Several robots have their
@@ -43,7 +44,8 @@ mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep,
                                  LoadNotes* notes = nullptr);
 
-// Compiles the same world for viewers, with its visual-only elements if all of them can be read.
+// Compiles the same world for viewers, with its visual-only elements if all of them can be read,
+// and with the cameras of the robots.
 // Bodies, joints and positions are those of the world, geoms are not. The descriptions are those
 // with which the world was loaded, or the fitted ones. Throws as above.
 mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,

@@ -9,6 +9,7 @@
 #include <sqlite3.h>
 
 #include "base/errors.h"
+#include "base/printed.h"
 #include "record/packed.h"
 
 namespace understudy::record {
@@ -16,6 +17,30 @@ namespace {
 
 // The largest text or message, bytes; *assumed*, many times that of any robot's.
 constexpr int kMostValue = 1 << 28;
+
+// What a writer that was killed leaves beside a bag.
+constexpr std::array<const char*, 2> kPending{"-wal", "-journal"};
+
+bool IsPending(const std::filesystem::path& bag) {
+  return std::ranges::any_of(kPending, [&](const char* end) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(bag.string() + end, error);
+    return !error && size > 0;
+  });
+}
+
+// Nothing is written beside a bag of which nothing is pending, in WAL mode either.
+std::string UriOf(const std::filesystem::path& bag) {
+  std::string uri = "file://";
+  for (const char c : std::filesystem::absolute(bag).string()) {
+    if (c == '%' || c == '?' || c == '#') {
+      uri += Printed("%%%02X", c);
+    } else {
+      uri += c;
+    }
+  }
+  return IsPending(bag) ? uri : uri + "?immutable=1";
+}
 
 }  // namespace
 
@@ -26,7 +51,7 @@ class BagFile::Query {
     sqlite3_stmt* statement = nullptr;
     const int code = sqlite3_prepare_v2(file.database_.get(), text, -1, &statement, nullptr);
     statement_.reset(statement);
-    if (code != SQLITE_OK) file_.Fail(sqlite3_errmsg(file.database_.get()));
+    if (code != SQLITE_OK) file_.FailBySqlite();
   }
 
   void Bind(int place, std::int64_t value) { sqlite3_bind_int64(statement_.get(), place, value); }
@@ -37,7 +62,7 @@ class BagFile::Query {
   bool Next() {
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW) return true;
-    if (code != SQLITE_DONE) file_.Fail(sqlite3_errmsg(file_.database_.get()));
+    if (code != SQLITE_DONE) file_.FailBySqlite();
     return false;
   }
   std::int64_t Integer(int column, const char* what) const {
@@ -93,7 +118,8 @@ BagFile::BagFile(const std::filesystem::path& path) : RecordingReader(path) {
     throw RecordError(path.string() + ": is not a ROS 2 bag: its first bytes are not SQLite's");
   }
   sqlite3* database = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
+  const int code = sqlite3_open_v2(UriOf(path).c_str(), &database,
+                                   SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
   database_.reset(database);
   if (code != SQLITE_OK) Fail(sqlite3_errstr(code));
   // As SQLite advises for files of strangers: what they define is not run.
@@ -119,6 +145,12 @@ void BagFile::RequireTable(const char* name) const {
   if (!query.Next()) Fail("is not a ROS 2 bag: it has no table '" + std::string(name) + "'");
   if (!query.Text(0, "schema").starts_with("CREATE TABLE")) {
     Fail("is not a ROS 2 bag: '" + std::string(name) + "' is no plain table");
+  }
+  // A generated column would be an expression of the file's that reading runs.
+  Query hidden(*this, "SELECT name FROM pragma_table_xinfo(?1) WHERE hidden != 0");
+  hidden.Bind(1, name);
+  if (hidden.Next()) {
+    Fail("is not a ROS 2 bag: '" + std::string(name) + "' has columns that are computed");
   }
 }
 
@@ -154,7 +186,7 @@ void BagFile::Count() {
     const auto count = static_cast<std::uint64_t>(query.Integer(1, "number of messages"));
     const std::int64_t first = query.Integer(2, "time of a message");
     const std::int64_t last = query.Integer(3, "time of a message");
-    if (first < 0) Fail("a message of before 1970");
+    if (first < 0) Fail("a message from before 1970");
     const auto from = static_cast<std::uint64_t>(first), to = static_cast<std::uint64_t>(last);
     const bool none = contents_.messages == 0;
     contents_.first_time = none ? from : std::min(contents_.first_time, from);
@@ -182,6 +214,16 @@ void BagFile::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& vi
                               .data = Unpacked(query.Bytes(2, "data of a message"), path(), &room)};
     if (!visit(contents_.channels.at(id->second), message)) return;
   }
+}
+
+void BagFile::FailBySqlite() const {
+  const int code = sqlite3_errcode(database_.get());
+  if ((code == SQLITE_READONLY || code == SQLITE_CANTOPEN) && IsPending(path())) {
+    Fail(
+        "its writer was killed, and what is left in -wal or -journal beside it has to be taken in: "
+        "copy all of them to a folder of yours and run `sqlite3 COPY .schema` there");
+  }
+  Fail(sqlite3_errmsg(database_.get()));
 }
 
 void BagFile::Fail(const std::string& what) const {

@@ -35,6 +35,7 @@ class BagFile final : public RecordingReader {
   void RequireTable(const char* name) const;
   void ReadTopics();
   void Count();
+  [[noreturn]] void FailBySqlite() const;
   [[noreturn]] void Fail(const std::string& what) const;
 
   std::unique_ptr<sqlite3, Close> database_;

@@ -2,22 +2,23 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "base/errors.h"
-#include "config/yaml_document.h"
 #include "record/bag_file.h"
 #include "record/mcap_reader.h"
 #include "record/packed.h"
+#include "schema/yaml_document.h"
 
 namespace understudy::record {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = config::YamlValue::Kind;
+using Kind = schema::YamlValue::Kind;
 
-config::YamlValue ReadMetadata(const fs::path& folder) {
+schema::YamlValue ReadMetadata(const fs::path& folder) {
   const fs::path file = folder / "metadata.yaml";
   std::error_code error;
   if (!fs::exists(file, error)) {
@@ -26,19 +27,19 @@ config::YamlValue ReadMetadata(const fs::path& folder) {
                       "makes one where a recording was cut short");
   }
   try {
-    return config::ReadYamlFile(file);
+    return schema::ReadYamlFile(file);
   } catch (const ConfigError& wrong) {
     throw RecordError(wrong.what());
   }
 }
 
 // Where a file of the bag is: older bags name it from the folder above.
-fs::path PlaceOf(const fs::path& folder, const config::YamlValue& name) {
+fs::path PlaceOf(const fs::path& folder, const schema::YamlValue& name) {
   const fs::path written = name.text;
   if (name.kind != Kind::kScalar || written.empty() || written.is_absolute() ||
       std::ranges::find(written, "..") != written.end()) {
     throw RecordError(name.where + ": relative_file_paths: expected a file in this folder, got " +
-                      config::Shown(name));
+                      schema::Shown(name));
   }
   std::error_code error;
   return fs::exists(folder / written, error) ? folder / written : folder / written.filename();
@@ -47,29 +48,34 @@ fs::path PlaceOf(const fs::path& folder, const config::YamlValue& name) {
 }  // namespace
 
 BagFolder::BagFolder(const fs::path& path) : RecordingReader(path) {
-  const config::YamlValue metadata = ReadMetadata(path);
-  const config::YamlValue* const about = metadata.Find("rosbag2_bagfile_information");
-  const config::YamlValue* const files =
+  const schema::YamlValue metadata = ReadMetadata(path);
+  const schema::YamlValue* const about = metadata.Find("rosbag2_bagfile_information");
+  const schema::YamlValue* const files =
       about == nullptr ? nullptr : about->Find("relative_file_paths");
   if (files == nullptr || files->kind != Kind::kSequence || files->items.empty()) {
     throw RecordError((path / "metadata.yaml").string() +
                       ": expected rosbag2_bagfile_information with relative_file_paths, the list "
                       "of the bag's files");
   }
-  const config::YamlValue* const format = about->Find("compression_format");
+  const schema::YamlValue* const format = about->Find("compression_format");
   if (format != nullptr && format->kind == Kind::kScalar && !format->text.empty() &&
       format->text != "zstd") {
     throw RecordError(format->where + ": the bag is compressed by " +
-                      config::OneLine(format->text) +
+                      schema::OneLine(format->text) +
                       ", expected zstd; `ros2 bag convert` writes one that is not compressed");
   }
   contents_.profile = "ros2";
   contents_.library = "ROS 2 bag";
-  for (const config::YamlValue& name : files->items) {
+  std::set<fs::path> files_so_far;
+  for (const schema::YamlValue& name : files->items) {
     const fs::path file = PlaceOf(path, name);
     std::error_code error;
+    if (!files_so_far.insert(fs::weakly_canonical(file, error)).second) {
+      throw RecordError(name.where +
+                        ": a file that is in the list already: " + schema::Shown(name));
+    }
     if (fs::is_directory(file, error)) {
-      throw RecordError(name.where + ": expected a file, got a folder: " + config::Shown(name));
+      throw RecordError(name.where + ": expected a file, got a folder: " + schema::Shown(name));
     }
     if (IsPacked(file)) {
       if (room_ == nullptr) room_ = std::make_shared<const TemporaryFolder>("bag");
@@ -105,15 +111,9 @@ void BagFolder::Add(std::unique_ptr<RecordingReader> reader) {
 // Files of a bag have the same topics, each with ids of its own.
 std::uint16_t BagFolder::ChannelLike(const RecordingReader& reader, const McapChannel& channel) {
   const McapSchema* const schema = reader.SchemaOf(channel);
-  for (const auto& [id, known] : contents_.channels) {
-    const McapSchema* const other = SchemaOf(known);
-    const bool same_type =
-        schema == nullptr || other == nullptr ? schema == other : schema->name == other->name;
-    if (same_type && known.topic == channel.topic && known.encoding == channel.encoding &&
-        known.metadata == channel.metadata) {
-      return id;
-    }
-  }
+  const auto [known, is_new] = known_.try_emplace(
+      {channel.topic, channel.encoding, schema == nullptr ? "" : schema->name, channel.metadata});
+  if (!is_new) return known->second;
   if (contents_.channels.size() >= std::numeric_limits<std::uint16_t>::max()) {
     throw RecordError(path().string() + ": has too many topics");
   }
@@ -125,6 +125,7 @@ std::uint16_t BagFolder::ChannelLike(const RecordingReader& reader, const McapCh
     contents_.schemas[ours.id].id = ours.id;
   }
   contents_.channels[ours.id] = ours;
+  known->second = ours.id;
   return ours.id;
 }
 

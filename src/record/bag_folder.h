@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/temporary_folder.h"
@@ -29,10 +31,14 @@ class BagFolder final : public RecordingReader {
   };
 
   void Add(std::unique_ptr<RecordingReader> reader);
+  // What one topic has in all files: topic, encoding, type ("" without one), metadata.
+  using Alike = std::tuple<std::string, std::string, std::string, StringMap>;
+
   std::uint16_t ChannelLike(const RecordingReader& reader, const McapChannel& channel);
 
   std::shared_ptr<const TemporaryFolder> room_;  // of unpacked files; null: there are none
   std::vector<Part> parts_;
+  std::map<Alike, std::uint16_t> known_;  // channels of the folder
 };
 
 }  // namespace understudy::record

@@ -95,6 +95,28 @@ CdrField FindFrom(std::string_view type, std::string_view path, std::size_t offs
   throw RecordError(std::string(type) + " has no field '" + name + "'" + DidYouMean(name, names));
 }
 
+// Advances `offset` up to the number that has the byte `wanted`, and returns its path; "" if it
+// is none of the type's.
+std::string PathTo(std::string_view type, std::size_t wanted, std::size_t* offset) {
+  const auto message = RosMessages().find(type);
+  if (message == RosMessages().end()) return "";
+  for (const MessageField& field : message->second) {
+    for (int i = 0; i < field.count; ++i) {
+      std::size_t end = *offset;
+      Skip(type, field, 1, &end);
+      if (wanted >= end) {
+        *offset = end;
+        continue;
+      }
+      std::string path = std::string(field.name) +
+                         (field.many == Many::kArray ? "[" + std::to_string(i) + "]" : "");
+      if (!RosMessages().contains(field.type)) return path;
+      return path + "." + PathTo(field.type, wanted, offset);
+    }
+  }
+  return "";
+}
+
 template <typename Number>
 double Read(const std::byte* at) {
   Number number;
@@ -106,6 +128,15 @@ double Read(const std::byte* at) {
 
 CdrField FindField(std::string_view ros_type_name, std::string_view path) {
   return FindFrom(ros_type_name, path, 0);
+}
+
+std::string FieldAt(std::string_view ros_type_name, std::size_t at) {
+  std::size_t offset = 0;
+  try {
+    return at < kHead ? "" : PathTo(ros_type_name, at - kHead, &offset);
+  } catch (const RecordError&) {  // it has no fixed place
+    return "";
+  }
 }
 
 std::optional<double> ReadField(const CdrField& field, ByteSpan message) {

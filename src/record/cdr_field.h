@@ -21,6 +21,10 @@ struct CdrField {
 // without a fixed position because a text or sequence precedes it.
 CdrField FindField(std::string_view ros_type_name, std::string_view path);
 
+// Returns the path of the number that has the byte at `at` of a message in the form of
+// CdrSample::bytes(); "" if nothing has a fixed place there, or the type is unknown.
+std::string FieldAt(std::string_view ros_type_name, std::size_t at);
+
 // Returns its value in a message in the form of CdrSample::bytes(); nullopt if the message is too
 // short or not little-endian XCDR1.
 std::optional<double> ReadField(const CdrField& field, ByteSpan message);

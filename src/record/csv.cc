@@ -60,7 +60,7 @@ class TableRows final : public RunReader {
     Begin(at);
     values_[column] = value;
   }
-  void NoteEvent(double at, const Event& event) override {
+  void NoteEvent(double at, const RecordedEvent& event) override {
     Begin(at);
     events_ += (events_.empty() ? "" : "; ") + event.kind + ": " + event.text;
   }

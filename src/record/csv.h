@@ -1,5 +1,4 @@
-// Writes what recordings tell of a run as comma-separated values (RFC 4180), for spreadsheets and
-// programs.
+// Writes recordings as comma-separated values (RFC 4180), for spreadsheets and programs.
 #pragma once
 
 #include <filesystem>

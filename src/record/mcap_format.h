@@ -1,5 +1,5 @@
-// The MCAP format (docs/sources.md#algorithms-and-training-environments): records that reader and
-// writer share.
+// The MCAP format (docs/dev/sources.md#algorithms-and-training-environments): records that reader
+// and writer share.
 #pragma once
 
 #include <array>

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "record/mcap_format.h"
+#include "record/packed.h"
 
 namespace understudy::record {
 namespace {
@@ -77,6 +78,7 @@ bool McapReader::ReadSummary() {
   if (contents_.last_time < contents_.first_time)
     Fail(start, "its last message is before its first");
   if (counted && Describes()) {
+    RequireApart();
     std::ranges::stable_sort(chunks_, {}, &Chunk::first_time);
     return true;
   }
@@ -95,29 +97,42 @@ bool McapReader::Describes() const {
   });
 }
 
+// A file of some kB could else have one chunk read thousands of times.
+void McapReader::RequireApart() const {
+  std::vector<Chunk> chunks = chunks_;
+  std::ranges::sort(chunks, {}, &Chunk::offset);
+  for (std::size_t i = 1; i < chunks.size(); ++i) {
+    const Chunk& before = chunks[i - 1];
+    if (chunks[i].offset - before.offset < std::max<std::uint64_t>(before.size, 1)) {
+      Fail(chunks[i].offset, "the summary has chunks that overlap");
+    }
+  }
+}
+
 void McapReader::Scan(std::uint64_t begin) {
-  contents_.cut_short = "its end is missing";
-  for (std::uint64_t at = begin; at < size_;) {
+  std::string damage;
+  bool over = false;
+  for (std::uint64_t at = begin; at < size_ && !over;) {
     std::uint64_t size = 0;
-    bool over = false;
+    bool is_chunk = false;
     try {
       const Record record = ReadRecord(at);
       if (record.op == McapOp{}) Fail(at, "zeros, as a power cut leaves them");
       size = kMcapRecordHead + record.content.size();
+      is_chunk = record.op == McapOp::kChunk;
       over = record.op == McapOp::kDataEnd || record.op == McapOp::kFooter;
       if (!over) Note(record, false);
     } catch (const RecordError& error) {
-      // A killed writer leaves a truncated last record; any other fault is an error.
-      if (size_ - at >= kMcapRecordHead && size != 0) throw;
-      contents_.cut_short = error.what();
-      break;
-    }
-    if (over) {
-      contents_.cut_short.clear();
-      break;
+      // A killed writer leaves a truncated last record, a power cut zeros, also within chunks: what
+      // is whole is read. Any other fault is an error.
+      if (size != 0 && !is_chunk) throw;
+      if (damage.empty()) damage = error.what();
+      if (size == 0) break;
+      damage += "; what it held is left out";
     }
     at += size;
   }
+  contents_.cut_short = !damage.empty() || over ? damage : "its end is missing";
   std::ranges::stable_sort(chunks_, {}, &Chunk::first_time);
 }
 
@@ -156,12 +171,14 @@ void McapReader::Note(const Record& record, bool in_summary) {
         chunk.first_time = in.Take<std::uint64_t>();
         chunk.last_time = in.Take<std::uint64_t>();
         chunk.offset = in.Take<std::uint64_t>();
+        chunk.size = in.Take<std::uint64_t>();
         chunks_.push_back(chunk);
         break;
       }
       case McapOp::kChunk: {
         if (in_summary) throw RecordError("a chunk in the summary");
         Chunk chunk{.offset = record.offset};
+        CountUnpacked(record.content, &scanned_);
         NoteInChunk(record.offset, UnpackChunk(record.content), &chunk);
         chunks_.push_back(chunk);
         break;
@@ -203,6 +220,8 @@ void McapReader::Note(const Record& record, bool in_summary) {
         const auto offset = in.Take<std::uint64_t>();
         const Record metadata = ReadRecord(offset);
         if (metadata.op != McapOp::kMetadata) throw RecordError("an index names no metadata");
+        indexed_ += metadata.content.size();
+        if (indexed_ > size_) throw RecordError("indexes name more metadata than the file has");
         Note(metadata, in_summary);
         break;
       }
@@ -211,6 +230,17 @@ void McapReader::Note(const Record& record, bool in_summary) {
     }
   } catch (const RecordError& error) {
     Fail(record.offset, error.what());
+  }
+}
+
+// Before it is unpacked, as it says itself: UnpackChunk() holds it to that.
+void McapReader::CountUnpacked(ByteSpan chunk, std::uint64_t* sum) const {
+  BytesIn in(chunk);
+  in.TakeRaw(8 + 8);
+  *sum += std::min(in.Take<std::uint64_t>(), MostUnpacked(size_));
+  if (*sum > MostUnpacked(size_)) {
+    throw RecordError("the file unpacks to more than " + std::to_string(MostUnpacked(size_)) +
+                      " bytes");
   }
 }
 
@@ -253,6 +283,7 @@ void McapReader::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit&
     }
     return visit(channel->second, message);
   };
+  std::uint64_t unpacked = 0;
   for (const Chunk& chunk : chunks_) {
     if (chunk.last_time < from || chunk.first_time > to) continue;
     const Record record = ReadRecord(chunk.offset);
@@ -261,7 +292,11 @@ void McapReader::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit&
       continue;
     }
     if (record.op != McapOp::kChunk) Fail(chunk.offset, "expected a chunk");
+    if (chunk.size != 0 && chunk.size < kMcapRecordHead + record.content.size()) {
+      Fail(chunk.offset, "the chunk is larger than its index says");
+    }
     try {
+      CountUnpacked(record.content, &unpacked);
       const std::vector<std::byte> records = UnpackChunk(record.content);
       BytesIn in(records);
       while (in.remaining() > 0) {

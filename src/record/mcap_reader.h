@@ -14,8 +14,10 @@
 namespace understudy::record {
 
 // Files may be damaged. A file that is not MCAP, a wrong length or checksum, or a chunk larger than
-// it says throws RecordError with file and offset. A file without a complete summary, as a killed
-// run leaves it, is scanned up to where it ends.
+// it says throws RecordError with file and offset, and so does a file that lets little be read
+// again and again: overlapping chunks, more metadata than file, more unpacked than a bound by its
+// size. A file without a complete summary, as a killed run leaves it, is scanned up to where it
+// ends.
 class McapReader final : public RecordingReader {
  public:
   explicit McapReader(std::filesystem::path file);
@@ -36,6 +38,7 @@ class McapReader final : public RecordingReader {
   struct Chunk {  // or, if `bare`, messages outside a chunk
     std::uint64_t first_time = 0, last_time = 0;
     std::uint64_t offset = 0;
+    std::uint64_t size = 0;  // bytes of its record, as an index has them; 0 without one
     bool bare = false;
     bool empty = true;  // no message of it noted so far
   };
@@ -44,6 +47,8 @@ class McapReader final : public RecordingReader {
   Record ReadRecord(std::uint64_t offset) const;
   bool ReadSummary();
   bool Describes() const;
+  void RequireApart() const;
+  void CountUnpacked(ByteSpan chunk, std::uint64_t* sum) const;
   void Scan(std::uint64_t begin);
   void Note(const Record& record, bool in_summary);
   void NoteInChunk(std::uint64_t offset, const std::vector<std::byte>& records, Chunk* chunk);
@@ -53,6 +58,8 @@ class McapReader final : public RecordingReader {
   UniqueFd fd_;
   std::uint64_t size_ = 0;
   std::vector<Chunk> chunks_;
+  std::uint64_t scanned_ = 0;  // bytes that chunks without a summary unpack to
+  std::uint64_t indexed_ = 0;  // bytes of metadata that indexes name
 };
 
 }  // namespace understudy::record

@@ -15,14 +15,16 @@
 namespace understudy::record {
 namespace {
 
-// Bytes to which a message, and a file, are unpacked at most; *assumed*, many times what robots
-// say: a few bytes of a stranger could else fill memory or disk.
-constexpr std::uint64_t kMostMessage = 1U << 28U, kMostFile = std::uint64_t{1} << 36U;
+// Bytes to which a message, and a file of so many bytes, are unpacked at most; *assumed*, many
+// times what robots say: a few bytes of a stranger could else fill memory or disk.
+constexpr std::uint64_t kMostMessage = 1U << 28U;
+std::uint64_t MostUnpacked(std::uint64_t file) { return (std::uint64_t{1} << 28U) + 200 * file; }
 
 void UnpackFile(const std::filesystem::path& from, const std::filesystem::path& to) {
   const auto fail = [&](const std::string& what) {
     throw RecordError(from.string() + ": does not unpack: " + what);
   };
+  const std::uint64_t most = MostUnpacked(std::filesystem::file_size(from));
   std::ifstream in(from, std::ios::binary);
   std::ofstream out(to, std::ios::binary);
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(),
@@ -38,7 +40,7 @@ void UnpackFile(const std::filesystem::path& from, const std::filesystem::path& 
       expected = ZSTD_decompressStream(context.get(), &output, &input);
       if (ZSTD_isError(expected) != 0) fail(ZSTD_getErrorName(expected));
       size += output.pos;
-      if (size > kMostFile) fail("it has more than " + std::to_string(kMostFile) + " bytes");
+      if (size > most) fail("it has more than " + std::to_string(most) + " bytes");
       out.write(unpacked.data(), static_cast<std::streamsize>(output.pos));
     }
   }
@@ -63,6 +65,8 @@ std::filesystem::path FreePlace(const std::filesystem::path& folder,
 }
 
 }  // namespace
+
+std::uint64_t MostUnpacked(std::uint64_t file) { return (std::uint64_t{1} << 28U) + 200 * file; }
 
 ByteSpan Unpacked(ByteSpan data, const std::filesystem::path& file, std::vector<std::byte>* room) {
   if (!BeginsPacked(data)) return data;

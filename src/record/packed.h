@@ -18,6 +18,10 @@ namespace understudy::record {
 // The first bytes of what zstd compressed (RFC 8878). No message in CDR begins so.
 inline constexpr std::string_view kZstdMagic{"\x28\xB5\x2F\xFD", 4};
 
+// Bytes to which a file of so many is unpacked at most; *assumed*, many times what robots say: a
+// few bytes of a stranger could else fill memory or disk.
+std::uint64_t MostUnpacked(std::uint64_t file);
+
 // Returns the data of a message of `file`, unpacked into `room` if it is compressed. Throws
 // RecordError with the file where that cannot be.
 ByteSpan Unpacked(ByteSpan data, const std::filesystem::path& file, std::vector<std::byte>* room);
@@ -36,7 +40,7 @@ class PackedFile final : public RecordingReader {
   void ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& visit) const override;
 
  private:
-  // Calls `read`; what is wrong inside is told of this file.
+  // Calls `read`; its errors name this file.
   void Tell(const std::function<void()>& read) const;
 
   std::shared_ptr<const TemporaryFolder> room_;

@@ -61,7 +61,7 @@ class PageMaker final : public RunReader {
   }
 
   // Events of one kind that follow each other closely become one mark.
-  void NoteEvent(double at, const Event& event) override {
+  void NoteEvent(double at, const RecordedEvent& event) override {
     if (!IsForPictures(event.kind)) return;
     const double close = 0.02 * (page_.to - page_.from);
     const auto [last, is_new] = last_of_.try_emplace(event.kind, at, page_.marks.size());
@@ -149,7 +149,7 @@ class PageMaker final : public RunReader {
         throw RecordError("--signals: nothing says " + signal + " from " +
                           std::to_string(page_.from) + " to " + std::to_string(page_.to) + " s");
       }
-      // A short label: gnuplot omits one that is longer than the axis.
+      // A short label, which fits beside its axis.
       page_.panels.push_back(
           {.label = path.substr(path.rfind('.') + 1), .lines = {Line(path, 0, i)}});
     }

@@ -81,13 +81,11 @@ PlotPage MakePage(const RecordingReader& reader, const PlotOptions& options);
 PlotPage MakePage(const RecordingReader& first, const RecordingReader& second, double shift,
                   const PlotOptions& options);
 
-// Returns the gnuplot script that draws a page as SVG or PNG into the file `picture`. Texts of the
-// recording are quoted, so they cannot be commands.
-std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem::path& picture);
+// Returns the page as an SVG document. Texts of the recording are escaped.
+std::string DrawPage(const PlotPage& page);
 
-// Draws the page with gnuplot into a .png or .svg file. Throws RecordError for another extension,
-// if gnuplot is missing (with its package) or fails (its message is on standard error), or if the
-// file cannot be written; an existing picture is then unchanged.
-void DrawPage(const PlotPage& page, const std::filesystem::path& picture);
+// Writes it into an .svg file. Throws RecordError for another extension, or if the file cannot be
+// written; an existing picture is then unchanged.
+void WritePicture(const PlotPage& page, const std::filesystem::path& picture);
 
 }  // namespace understudy::record

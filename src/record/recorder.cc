@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "bus/now.h"
 #include "idl/type_table.h"
 #include "version.h"
 
@@ -21,11 +22,11 @@ constexpr std::int64_t kFlushEvery = 1'000'000'000;  // ns
 constexpr std::size_t kMoments = 8192;
 constexpr std::size_t kMarks = 1 << 16;
 constexpr std::size_t kSheets = 4;  // *assumed*
+// Topics that are looked at; *assumed*, several times those of a robot and its programs.
+constexpr std::size_t kMostTopics = 512;
 
 std::int64_t Monotonic() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
-std::int64_t SinceEpoch() {
-  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
-}
+std::int64_t SinceEpoch() { return bus::Now().count(); }
 
 }  // namespace
 
@@ -42,6 +43,7 @@ Recorder::Recorder(const bus::Participant& participant, OutputFile file, const R
       audience_(audience),
       writer_(std::move(file), "ros2", std::string("understudy ") + kVersion),
       ros_(head.ros),
+      events_of_(head.events_of),
       events_(events),
       moments_(kMoments, moment),
       sheets_(kSheets, {.damage = head.damage}),
@@ -89,7 +91,8 @@ void Recorder::CommitDamage() { sheets_.Commit(); }
 
 bool Recorder::behind() const {
   return !failed_.load(std::memory_order_relaxed) &&
-         (moments_.size() > kMoments / 2 || marks_.size() > kMarks / 2);
+         (moments_.size() > kMoments / 2 || marks_.size() > kMarks / 2 ||
+          sheets_.size() > kSheets / 2);
 }
 
 void Recorder::CatchUp() {
@@ -120,7 +123,7 @@ void Recorder::Run(const std::stop_token& stop) {
     }
     Take();
     Merge(std::numeric_limits<Nanoseconds>::max(), true);
-    WriteHeldBack(digest_.Rest(), marked_ + 1);
+    WriteHeldBack(digest_.Flush(), marked_ + 1);
     writer_.Finish();
     messages_ = writer_.messages();
     bytes_ = writer_.bytes();
@@ -159,7 +162,9 @@ void Recorder::Poll() {
 
 void Recorder::Subscribe() {
   for (bus::TopicOnBus& found : watch_.Poll()) {
-    if (!seen_.insert(found).second) continue;
+    if (seen_.size() == kMostTopics || !seen_.insert(found).second) continue;
+    if (seen_.size() == kMostTopics)
+      say_("no further topics are recorded: there are too many", true);
     const MessageType* type = FindMessageType(found.type);
     if (type == nullptr) {
       say_("topic " + found.topic + " is not recorded: its type " + found.type +
@@ -173,7 +178,9 @@ void Recorder::Subscribe() {
 }
 
 // Clamps source times of other participants to the time since the last take began: one outside
-// comes from another clock. Our messages have the clock of the marks.
+// comes from another clock. Our messages have the clock of the marks. What another sends at the
+// instant of a mark answers that step, and comes after it: where time stands still in a step, that
+// is usual.
 void Recorder::Take() {
   const Nanoseconds since = std::exchange(last_take_, SinceEpoch());
   for (std::size_t i = 0; i < topics_.size(); ++i) {
@@ -182,9 +189,9 @@ void Recorder::Take() {
       const auto [writer, is_new] = topic.ours.try_emplace(sample.writer(), false);
       if (is_new) writer->second = topic.reader->ParticipantOf(sample.writer()) == ours_;
       const Nanoseconds now = SinceEpoch();
-      const Nanoseconds when = writer->second
-                                   ? sample.source_time()
-                                   : std::clamp(sample.source_time(), std::min(since, now), now);
+      const Nanoseconds when =
+          writer->second ? sample.source_time()
+                         : std::clamp(sample.source_time(), std::min(since, now), now) + 1;
       waiting_.push_back({.when = when,
                           .taken = Monotonic(),
                           .topic = i,
@@ -244,6 +251,7 @@ void Recorder::WriteEvents(std::int64_t up_to_step) {
   while (has_event_ || events_.Next(&event_)) {
     has_event_ = event_.step > up_to_step;
     if (has_event_) break;
+    if (event_.robot != events_of_ && !emulator::IsOfWorld(event_.kind)) continue;
     if (const auto told = digest_.Take(event_, event_.time)) WriteEvent(*told);
   }
   WriteHeldBack(digest_.Due(TimeOf(up_to_step)), up_to_step);

@@ -37,6 +37,8 @@ struct RecordingHead {
   std::string model;              // attachment model.mjb
   Damage damage{};                // joints and limits of the damage sheet, and as many motors
   std::optional<RosRobot> ros{};  // the topics of ros_topics.h; none: they are left out
+  std::size_t events_of = 0;  // the number of the robot whose events and the world's are written
+  BaseAddress base{};         // of the truth
 };
 
 // The truth between two steps, offered by the loop.
@@ -45,7 +47,7 @@ struct Moment {
   Truth truth;
 };
 
-// The damage sheet, offered likewise.
+// The damage sheet at an instant.
 struct DamageMoment {
   std::int64_t wall = 0;  // ns, CLOCK_MONOTONIC
   Damage damage;
@@ -161,6 +163,7 @@ class Recorder {
   std::optional<RosRobot> ros_;
   std::uint16_t tf_channel_ = 0, joint_states_channel_ = 0, clock_channel_ = 0;
   std::map<std::string, std::uint16_t> schemas_;
+  std::size_t events_of_;  // a robot's number
   emulator::EventRing::Reader events_;
   emulator::EventDigest digest_{kEventEvery - 1e-6};  // rounding: 0.3 - 0.2 < 0.1
   emulator::Event event_;                             // the next event, if has_event_

@@ -32,11 +32,12 @@ void Recorder::Begin(const RecordingHead& head) {
   writer_.Attach("config.yaml", "application/yaml", start_, AsBytes(head.config));
   writer_.Attach("model.mjb", "application/octet-stream", start_, AsBytes(head.model));
   if (audience_ != nullptr) audience_->Begin(start_);
-  const auto channel = [&](const char* topic, const char* type, const char* text) {
-    return AddChannel(topic, type, writer_.AddSchema(type, "ros2msg", text),
-                      {{"from", "simulation"}, {"offered_qos_profiles", Qos(1, false)}});
+  const auto channel = [&](const char* topic, const char* type, const char* text,
+                           StringMap metadata = {}) {
+    metadata.merge(StringMap{{"from", "simulation"}, {"offered_qos_profiles", Qos(1, false)}});
+    return AddChannel(topic, type, writer_.AddSchema(type, "ros2msg", text), metadata);
   };
-  truth_channel_ = channel(kTruthTopic, kTruthType, kTruthText);
+  truth_channel_ = channel(kTruthTopic, kTruthType, kTruthText, head.base.metadata());
   event_channel_ = channel(kEventTopic, kEventType, kEventText);
   damage_channel_ = channel(kDamageTopic, kDamageType, kDamageText);
   if (ros_) BeginRos();
@@ -83,11 +84,12 @@ void Recorder::WriteTruth(const Truth& truth) {
 
 void Recorder::WriteEvent(const emulator::ToldEvent& told) {
   using nlohmann::json;
-  const Event event{.step = told.event.step,
-                    .time = told.event.time,
-                    .kind = std::string(told.kind()),
-                    .text = told.text(),
-                    .detail = told.detail().dump(-1, ' ', false, json::error_handler_t::replace)};
+  const RecordedEvent event{
+      .step = told.event.step,
+      .time = told.event.time,
+      .kind = std::string(told.kind()),
+      .text = told.text(),
+      .detail = told.detail().dump(-1, ' ', false, json::error_handler_t::replace)};
   EncodeEvent(event, &message_);
   Write(event_channel_, LogTime(event.step), LogTime(event.step), message_.span());
 }

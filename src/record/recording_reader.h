@@ -1,4 +1,4 @@
-// The one form in which recordings are read, whatever file they are in.
+// The interface through which recordings of every file format are read.
 #pragma once
 
 #include <cstdint>

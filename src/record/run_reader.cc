@@ -12,6 +12,7 @@
 #include "record/ros2msg.h"
 #include "robot/robot_values.h"
 #include "wire/imu_codec.h"
+#include "wire/robot_topics.h"
 
 namespace understudy::record {
 namespace {
@@ -85,7 +86,7 @@ std::string RunReader::About(const std::string& key) const {
 }
 
 void RunReader::FindMotors(std::vector<RunMotor>* known) {
-  const auto type = types_.find("rt/lowstate");
+  const auto type = types_.find(wire::kLowStateName);
   if (type == types_.end()) return;
   const std::vector<std::string> joints = WordsOf(About("motors"));
   const std::vector<std::string> slots = WordsOf(About("slots"));
@@ -128,14 +129,14 @@ void RunReader::AskForMotors(const RunChoice& choice) {
     }
     for (std::size_t motor = 0; motor < motors_.size(); ++motor) {
       const std::string slot = "[" + std::to_string(motors_[motor].slot) + "].";
-      Ask(i, motor, false, "rt/lowstate", "motor_state" + slot + field->state);
+      Ask(i, motor, false, wire::kLowStateName, "motor_state" + slot + field->state);
       if (*field->command == '\0') continue;
-      Ask(i, motor, true, "rt/lowcmd", "motor_cmd" + slot + field->command);
+      Ask(i, motor, true, wire::kLowCmdName, "motor_cmd" + slot + field->command);
     }
   }
 }
 
-void RunReader::Ask(std::size_t field, std::size_t motor, bool commanded, const std::string& topic,
+void RunReader::Ask(std::size_t field, std::size_t motor, bool commanded, std::string_view topic,
                     std::string path) {
   const auto type = types_.find(topic);
   if (type == types_.end()) return;
@@ -147,7 +148,7 @@ void RunReader::Ask(std::size_t field, std::size_t motor, bool commanded, const 
                       .field = field,
                       .motor = motor,
                       .commanded = commanded,
-                      .topic = topic,
+                      .topic = std::string(topic),
                       .place = FindField(type->second, path),
                       .most = commanded ? robot::kNoVelocity : RunColumn{}.most});
 }
@@ -188,7 +189,7 @@ void RunReader::Read() {
   reader_.ReadMessages(from, to, [&](const McapChannel& channel, const McapMessage& message) {
     const double at = static_cast<double>(message.log_time - beginning_) * 1e-9;
     if (channel.topic == kTruthTopic) {
-      NoteTruth(at, DecodeTruth(message.data));
+      NoteTruth(at, DecodeTruth(message.data), BaseAddress::Of(channel.metadata));
     } else if (channel.topic == kEventTopic) {
       NoteEvent(at, DecodeEvent(message.data));
     } else if (const auto some = by_topic.find(TopicOnWire(channel)); some != by_topic.end()) {
@@ -205,12 +206,13 @@ void RunReader::Tell(double at, double value, std::size_t column) {
   if (std::isfinite(value)) Note(at, value, column);
 }
 
-// The free joint comes first: position and attitude (w, x, y, z).
-void RunReader::NoteTruth(double at, const Truth& truth) {
-  if (truth.qpos.size() < 7 || truth.qpos.size() == truth.qvel.size()) return;
-  const Eigen::Quaterniond R_WB(truth.qpos[3], truth.qpos[4], truth.qpos[5], truth.qpos[6]);
+// Position and attitude (w, x, y, z) of the base.
+void RunReader::NoteTruth(double at, const Truth& truth, const BaseAddress& base) {
+  if (!HasFreeBase(truth, base)) return;
+  const double* const q = truth.qpos.data() + base.qpos;
+  const Eigen::Quaterniond R_WB(q[3], q[4], q[5], q[6]);
   const Eigen::Vector3d rpy = kDegrees * wire::RollPitchYaw(R_WB);
-  Tell(at, truth.qpos[2], 0);
+  Tell(at, q[2], 0);
   for (std::size_t i = 0; i < 3; ++i) Tell(at, rpy[static_cast<int>(i)], 1 + i);
 }
 
@@ -241,7 +243,7 @@ class BusyFinder final : public RunReader {
     if (rest.known) Busy(at);
     rest = {.at = value, .known = true};
   }
-  void NoteEvent(double at, const Event& event) override {
+  void NoteEvent(double at, const RecordedEvent& event) override {
     if (event.step > 0 && IsForPictures(event.kind)) Busy(at);
   }
   void Busy(double at) {

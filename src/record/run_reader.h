@@ -1,12 +1,14 @@
-// Reads what a recording tells of a run, as columns of numbers over time: for plots, for tables,
+// Reads a recorded run as columns of numbers over time: for plots, for tables,
 // and for finding where nothing moves.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "record/cdr_field.h"
@@ -61,7 +63,7 @@ class RunReader {
 
   double from() const { return from_; }  // s of simulated time
   double to() const { return to_; }
-  // The base's, then by field and motor what they do and what they are told to, then the signals'.
+  // The base's, then measured and commanded values by field and motor, then the signals'.
   const std::vector<RunColumn>& columns() const { return columns_; }
   const std::vector<RunMotor>& motors() const { return motors_; }
   const std::vector<std::string>& fields() const { return fields_; }
@@ -74,7 +76,7 @@ class RunReader {
 
   // Gets every number of a column, at its time [s]; it is finite.
   virtual void Note(double at, double value, std::size_t column) = 0;
-  virtual void NoteEvent(double at, const Event& event) = 0;
+  virtual void NoteEvent(double at, const RecordedEvent& event) = 0;
 
   const RecordingReader& reader() const { return reader_; }
 
@@ -82,15 +84,15 @@ class RunReader {
   void FindMotors(std::vector<RunMotor>* known);
   void AskForMotors(const RunChoice& choice);
   void AskForSignals(const RunChoice& choice);
-  void Ask(std::size_t field, std::size_t motor, bool commanded, const std::string& topic,
+  void Ask(std::size_t field, std::size_t motor, bool commanded, std::string_view topic,
            std::string path);
-  void NoteTruth(double at, const Truth& truth);
+  void NoteTruth(double at, const Truth& truth, const BaseAddress& base);
   void Tell(double at, double value, std::size_t column);
 
   const RecordingReader& reader_;
   StringMap about_;
-  std::uint64_t beginning_ = 0;               // log time of simulated time 0
-  std::map<std::string, std::string> types_;  // by topic on the wire
+  std::uint64_t beginning_ = 0;                            // log time of simulated time 0
+  std::map<std::string, std::string, std::less<>> types_;  // by topic on the wire
   double from_ = 0, to_ = 0;
   std::vector<RunMotor> motors_;
   std::vector<std::string> fields_;

@@ -1,9 +1,14 @@
 #include "record/truth.h"
 
+#include <algorithm>
+#include <charconv>
+
 #include "record/cdr_out.h"
 
 namespace understudy::record {
 namespace {
+
+constexpr char kBaseQpos[] = "base_qpos", kBaseQvel[] = "base_qvel";
 
 BytesIn Begin(ByteSpan bytes) {
   BytesIn in(bytes);
@@ -38,6 +43,28 @@ std::string TakeText(BytesIn* in) {
 
 }  // namespace
 
+StringMap BaseAddress::metadata() const {
+  if (qpos == 0 && qvel == 0) return {};
+  return {{kBaseQpos, std::to_string(qpos)}, {kBaseQvel, std::to_string(qvel)}};
+}
+
+BaseAddress BaseAddress::Of(const StringMap& metadata) {
+  const auto number = [&metadata](const char* key) {
+    std::size_t value = 0;
+    if (const auto found = metadata.find(key); found != metadata.end()) {
+      const std::string& text = found->second;
+      std::from_chars(text.data(), text.data() + text.size(), value);
+    }
+    return std::min<std::size_t>(value, 1'000'000);
+  };
+  return {.qpos = number(kBaseQpos), .qvel = number(kBaseQvel)};
+}
+
+bool HasFreeBase(const Truth& truth, const BaseAddress& base) {
+  return truth.qpos.size() >= base.qpos + 7 && truth.qvel.size() >= base.qvel + 6 &&
+         truth.qpos.size() != truth.qvel.size();
+}
+
 bool IsForPictures(std::string_view kind) {
   return kind != "overrun" && kind != "motion" && kind != "gate";
 }
@@ -66,7 +93,7 @@ Truth DecodeTruth(ByteSpan bytes) {
   return truth;
 }
 
-void EncodeEvent(const Event& event, BytesOut* out) {
+void EncodeEvent(const RecordedEvent& event, BytesOut* out) {
   PutCdrHead(out);
   PutNumber(event.step, out);
   PutNumber(event.time, out);
@@ -75,9 +102,9 @@ void EncodeEvent(const Event& event, BytesOut* out) {
   PutText(event.detail, out);
 }
 
-Event DecodeEvent(ByteSpan bytes) {
+RecordedEvent DecodeEvent(ByteSpan bytes) {
   BytesIn in = Begin(bytes);
-  Event event;
+  RecordedEvent event;
   event.step = TakeNumber<std::int64_t>(&in);
   event.time = TakeNumber<double>(&in);
   event.kind = TakeText(&in);

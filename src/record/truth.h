@@ -1,6 +1,7 @@
 // The messages for the simulation's truth, for events and for the damage sheet.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -34,6 +35,19 @@ struct Truth {
   double crane_tension = 0;          // N
 };
 
+// Where in qpos and qvel the joint of the robot's base begins, if its base is free.
+struct BaseAddress {
+  std::size_t qpos = 0, qvel = 0;
+
+  // In the metadata of the channel, which has none of a base that comes first.
+  StringMap metadata() const;
+  static BaseAddress Of(const StringMap& metadata);
+};
+
+// Whether the base of the robot is free. A model without any free joint has as many of qpos as of
+// qvel.
+bool HasFreeBase(const Truth& truth, const BaseAddress& base = {});
+
 inline constexpr char kEventTopic[] = "understudy/events";
 inline constexpr char kEventType[] = "understudy_msgs/msg/Event";
 inline constexpr char kEventText[] =
@@ -43,7 +57,7 @@ inline constexpr char kEventText[] =
     "string text\n"
     "string detail\n";
 
-struct Event {
+struct RecordedEvent {
   std::int64_t step = 0;
   double time = 0;       // simulated s
   std::string kind{};    // one word (docs/recording.md)
@@ -85,7 +99,7 @@ inline constexpr char kDamageText[] =
 // is measured. Vectors are in motor order.
 struct Damage {
   std::int64_t step = 0;
-  robot::Damage sheet{};               // its time is the message's
+  robot::DamageTotals sheet{};         // its time is the message's
   double trip_c = 0;                   // °C
   std::vector<std::string> joints{};   // never change, nor do the limits
   std::vector<double> torque_limit{};  // N·m
@@ -98,8 +112,8 @@ struct Damage {
 // overwrites `out`; decoding throws RecordError for anything else.
 void EncodeTruth(const Truth& truth, BytesOut* out);
 Truth DecodeTruth(ByteSpan bytes);
-void EncodeEvent(const Event& event, BytesOut* out);
-Event DecodeEvent(ByteSpan bytes);
+void EncodeEvent(const RecordedEvent& event, BytesOut* out);
+RecordedEvent DecodeEvent(ByteSpan bytes);
 // The vectors must be as long as sheet.motors; decoding throws if they are not.
 void EncodeDamage(const Damage& damage, BytesOut* out);
 Damage DecodeDamage(ByteSpan bytes);

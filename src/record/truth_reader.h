@@ -27,10 +27,10 @@ class TruthReader {
   const Span& whole() const { return whole_; }
 
   // Visits the states of that time, ends included, in order until `visit` returns false, and
-  // between them tells of the events, also of those of the `before` s before. Each state has `nq`
+  // between them passes the events, also those of the `before` s before. Each state has `nq`
   // positions.
   using Visit = std::function<bool(Truth)>;
-  using Tell = std::function<void(Event)>;
+  using Tell = std::function<void(RecordedEvent)>;
   void Read(const Span& span, std::size_t nq, const Visit& visit, const Tell& tell = {},
             double before = 0) const;
 

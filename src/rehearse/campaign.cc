@@ -148,7 +148,10 @@ RunResult ReadRun(std::size_t number, const std::vector<Setting>& settings, int 
                                                                         : Outcome::kNotJudged;
   }
   if (!told.is_object()) return result;
-  if (told.value("overlong", false)) result.broken = told.value("stopped", "");
+  for (const ordered_json& failure : told.value("failures", ordered_json::array())) {
+    if (!result.broken.empty()) result.broken += "; ";
+    result.broken += failure.value("name", "") + " " + failure.value("why", "");
+  }
   result.seconds = told.value("seconds", 0.0);
   for (const ordered_json& one : told.value("verdicts", ordered_json::array())) {
     RunVerdict read{.name = one.value("name", ""),

@@ -1,4 +1,4 @@
-// What became of the runs of a campaign, and what that says.
+// Results of a campaign and their statistics.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,8 @@ struct RunVerdict {
   std::string unit{};
   std::string explanation{};
   // The margin over the sum of its size and that of what was measured, from -1 to 1: what makes
-  // margins of different units comparable. -1 for a failure without a quantity; none likewise.
+  // margins of different units comparable. -1 for a failure without a quantity; none for other
+  // outcomes without one.
   std::optional<double> relative{};
 };
 

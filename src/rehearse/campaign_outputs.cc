@@ -14,7 +14,7 @@ namespace {
 using judge::Outcome;
 using nlohmann::ordered_json;
 
-// *Assumed*: of more runs that passed, so many are told.
+// *Assumed*: of more runs that passed, so many are listed.
 constexpr std::size_t kMostPassed = 20, kSomePassed = 10;
 
 // "36.4 % (22.2 to 53.4)", "-" if none was judged.

@@ -23,7 +23,7 @@ struct Campaign {
 std::string RunText(const RunResult& result, bool colored);
 
 // Lines for a terminal: a line a run, failures first, then rates by value, what failures share and
-// the summary. Of more than twenty runs that passed only the first ten are told if `brief`.
+// the summary. Of more than twenty runs that passed only the first ten are listed if `brief`.
 std::string CampaignText(const Campaign& campaign, bool colored, bool brief);
 
 // JSON for programs (docs/rehearsing.md).

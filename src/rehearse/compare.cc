@@ -211,8 +211,8 @@ void CheckTheyAreOfOneRobot(const Recorded& first, const Recorded& second) {
 
 }  // namespace
 
-Comparison Compare(const record::RecordingReader& first_reader,
-                   const record::RecordingReader& second_reader, std::optional<double> shift) {
+Differences Compare(const record::RecordingReader& first_reader,
+                    const record::RecordingReader& second_reader, std::optional<double> shift) {
   const double longer = std::max(SecondsOfStates(first_reader), SecondsOfStates(second_reader));
   const double step = std::max(kStep, longer / kMostSteps);
   Recorded first = ReadRecorded(first_reader, step);
@@ -228,10 +228,10 @@ Comparison Compare(const record::RecordingReader& first_reader,
   }
 
   std::ptrdiff_t steps = 0;
-  Comparison comparison{.first = first.file,
-                        .second = second.file,
-                        .robot = first.robot.empty() ? second.robot : first.robot,
-                        .step = step};
+  Differences comparison{.first = first.file,
+                         .second = second.file,
+                         .robot = first.robot.empty() ? second.robot : first.robot,
+                         .step = step};
   std::vector<std::pair<Values, Values>> all;
   for (const auto& [a, b] : angles) all.emplace_back(a->values, b->values);
   if (shift) {

@@ -32,7 +32,7 @@ struct MotorComparison {
   record::TracePoints q_first{}, q_second{};  // s of the first recording, rad
 };
 
-struct Comparison {
+struct Differences {
   std::string first{}, second{};  // files
   std::string robot{};
   double shift = 0;         // s: the second's time plus this is the first's
@@ -48,12 +48,12 @@ struct Comparison {
 // compares what both say then. The likeness is the sum over joints of the covariance of their
 // angles over the root of the product of the sums of variances. Throws RecordError for recordings
 // of different robots, and where less than a second is left in common.
-Comparison Compare(const record::RecordingReader& first, const record::RecordingReader& second,
-                   std::optional<double> shift);
+Differences Compare(const record::RecordingReader& first, const record::RecordingReader& second,
+                    std::optional<double> shift);
 
 // For a terminal, for programs (docs/rehearsing.md), and as one page that needs nothing else.
-std::string CompareText(const Comparison& comparison);
-std::string CompareJson(const Comparison& comparison);
-std::string CompareHtml(const Comparison& comparison);
+std::string CompareText(const Differences& comparison);
+std::string CompareJson(const Differences& comparison);
+std::string CompareHtml(const Differences& comparison);
 
 }  // namespace understudy::rehearse

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/printed.h"
+#include "record/svg_plot.h"
 #include "rehearse/compare.h"
 #include "rehearse/judged.h"
 #include "rehearse/outputs.h"
-#include "rehearse/svg_plot.h"
 
 namespace understudy::rehearse {
 namespace {
@@ -26,14 +26,14 @@ constexpr double kMilli = 1000;
 const std::vector<Column>& Columns() {
   using Motor = MotorComparison;
   static const std::vector<Column> columns = {
-      {"angle apart", "mrad", kMilli, [](const Motor& m) { return m.q.rms; }},
-      {"at most", "mrad", kMilli, [](const Motor& m) { return m.q.most; }},
-      {"speed apart", "rad/s", 1, [](const Motor& m) { return m.dq.rms; }},
-      {"torque apart", "N·m", 1, [](const Motor& m) { return m.tau.rms; }},
-      {"error, 1st", "mrad", kMilli, [](const Motor& m) { return m.first.error; }},
-      {"error, 2nd", "mrad", kMilli, [](const Motor& m) { return m.second.error; }},
-      {"lag, 1st", "ms", kMilli, [](const Motor& m) { return m.first.lag; }},
-      {"lag, 2nd", "ms", kMilli, [](const Motor& m) { return m.second.lag; }},
+      {"RMS difference", "mrad", kMilli, [](const Motor& m) { return m.q.rms; }},
+      {"max", "mrad", kMilli, [](const Motor& m) { return m.q.most; }},
+      {"speed RMS", "rad/s", 1, [](const Motor& m) { return m.dq.rms; }},
+      {"torque RMS", "N·m", 1, [](const Motor& m) { return m.tau.rms; }},
+      {"tracking error A", "mrad", kMilli, [](const Motor& m) { return m.first.error; }},
+      {"tracking error B", "mrad", kMilli, [](const Motor& m) { return m.second.error; }},
+      {"lag A", "ms", kMilli, [](const Motor& m) { return m.first.lag; }},
+      {"lag B", "ms", kMilli, [](const Motor& m) { return m.second.lag; }},
   };
   return columns;
 }
@@ -42,7 +42,7 @@ std::string Told(const std::optional<double>& value, double scale = 1) {
   return value ? NumberText(*value * scale) : "-";
 }
 
-std::string Alignment(const Comparison& comparison) {
+std::string Alignment(const Differences& comparison) {
   const std::string seconds = NumberText(comparison.shift) + " s";
   if (comparison.aligned) {
     return "shifted by " + seconds + ", by their movements (likeness " +
@@ -52,7 +52,7 @@ std::string Alignment(const Comparison& comparison) {
                                : "shifted by " + seconds + ", as told";
 }
 
-std::string Title(const Comparison& comparison) {
+std::string Title(const Differences& comparison) {
   return comparison.first + " and " + comparison.second;
 }
 
@@ -71,11 +71,11 @@ ordered_json JsonOf(const Following& following) {
 
 }  // namespace
 
-std::string CompareText(const Comparison& comparison) {
-  std::string text = Title(comparison) + (comparison.robot.empty() ? "" : ", " + comparison.robot) +
-                     "\n" + NumberText(comparison.to - comparison.from) +
-                     " s in common, the second " + Alignment(comparison) + "\n\n" +
-                     Printed("%-16s", "joint");
+std::string CompareText(const Differences& comparison) {
+  std::string text = Title(comparison) +
+                     (comparison.robot.empty() ? "" : ", " + Printable(comparison.robot)) + "\n" +
+                     NumberText(comparison.to - comparison.from) + " s in common, the second " +
+                     Alignment(comparison) + "\n\n" + Printed("%-16s", "joint");
   for (const Column& column : Columns()) {
     text += Printed(" %12s", std::string(column.head).c_str());
   }
@@ -88,7 +88,7 @@ std::string CompareText(const Comparison& comparison) {
   }
   text += "\n";
   for (const MotorComparison& motor : comparison.motors) {
-    text += Printed("%-16s", motor.joint.c_str());
+    text += Printed("%-16s", Printable(motor.joint).c_str());
     for (const Column& column : Columns()) {
       text += Printed(" %12s", Told(column.of(motor), column.scale).c_str());
     }
@@ -102,7 +102,7 @@ std::string CompareText(const Comparison& comparison) {
   return text;
 }
 
-std::string CompareJson(const Comparison& comparison) {
+std::string CompareJson(const Differences& comparison) {
   ordered_json motors = ordered_json::array(), rest = ordered_json::array();
   for (const MotorComparison& motor : comparison.motors) {
     motors.push_back({{"joint", motor.joint},
@@ -133,7 +133,7 @@ std::string CompareJson(const Comparison& comparison) {
   return told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string CompareHtml(const Comparison& comparison) {
+std::string CompareHtml(const Differences& comparison) {
   std::string html = "<header><h1>" + Escaped(Title(comparison)) + "</h1><p class=\"dim\">" +
                      Escaped(comparison.robot) + (comparison.robot.empty() ? "" : " · ") +
                      NumberText(comparison.to - comparison.from) + " s in common · the second is " +
@@ -153,11 +153,10 @@ std::string CompareHtml(const Comparison& comparison) {
   }
   html +=
       "</table>\n<p class=\"dim\">Apart: root of the mean square of the difference at the same "
-      "time. Error: likewise of a command and its angle. Lag: by which the angle is most like "
-      "its command.</p>\n<h2>Inertial unit and battery</h2>\n<table><tr><th></th><th "
-      "class=\"number\">Apart</th>"
-      "<th class=\"number\">At most</th><th class=\"number\">First, rms</th><th "
-      "class=\"number\">Second, rms</th><th>Unit</th></tr>\n";
+      "time. Error: the same of a command and its angle. Lag: by which the angle is most like its "
+      "command.</p>\n<h2>Inertial unit and battery</h2>\n<table><tr><th></th><th "
+      "class=\"number\">Apart</th><th class=\"number\">At most</th><th class=\"number\">First, "
+      "rms</th><th class=\"number\">Second, rms</th><th>Unit</th></tr>\n";
   for (const Apart& apart : comparison.rest) {
     html += "<tr><td><code>" + Escaped(apart.name) + "</code></td>";
     for (const auto* value : {&apart.rms, &apart.most, &apart.rms_first, &apart.rms_second}) {
@@ -174,12 +173,12 @@ std::string CompareHtml(const Comparison& comparison) {
     return a->q.rms.value_or(0) > b->q.rms.value_or(0);
   });
   for (const MotorComparison* motor : motors) {
-    const SvgPlot plot{.label = motor->joint + " [rad]",
-                       .from = comparison.from,
-                       .to = comparison.to,
-                       .points = motor->q_first,
-                       .others = motor->q_second,
-                       .width = 520};
+    const record::SvgPlot plot{.label = motor->joint + " [rad]",
+                               .from = comparison.from,
+                               .to = comparison.to,
+                               .lines = {{.kind = "signal", .points = motor->q_first},
+                                         {.kind = "other", .points = motor->q_second}},
+                               .width = 520};
     html += "<figure>" + DrawSvg(plot) + "</figure>";
   }
   return HtmlPage(Title(comparison), html + "</div>\n");

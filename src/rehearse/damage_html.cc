@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/printed.h"
 #include "rehearse/outputs.h"
 
 namespace understudy::rehearse {
@@ -59,7 +60,7 @@ Reached ReachedOf(const record::Damage& damage, const robot::DamageLimit& limit)
   for (const OfMotors& figure : kOfMotors) {
     if (figure.figure == limit.figure) return ReachedByMotors(damage, limit, figure);
   }
-  const robot::Damage& sheet = damage.sheet;
+  const robot::DamageTotals& sheet = damage.sheet;
   for (const auto& [figure, value] : {std::pair<std::string_view, double>("energy", sheet.energy),
                                       {"peak_current", sheet.peak_current},
                                       {"shock", sheet.shock},
@@ -80,6 +81,17 @@ std::string LimitText(const robot::DamageLimit& limit) {
 
 }  // namespace
 
+std::string BeyondText(const record::Damage& damage) {
+  std::string text;
+  for (const robot::DamageLimit& one : damage.limits) {
+    const Reached reached = ReachedOf(damage, one);
+    if (!reached.beyond) continue;
+    text +=
+        (text.empty() ? "" : ", ") + one.figure + " " + reached.text + " (" + LimitText(one) + ")";
+  }
+  return text;
+}
+
 std::string DamageHtml(const record::Damage& damage) {
   const auto number = [](double value, const std::string& unit) {
     return value == 0 ? std::string() : NumberText(value) + " " + unit;
@@ -88,7 +100,7 @@ std::string DamageHtml(const record::Damage& damage) {
     if (at_limit == 0) return std::string();
     return "<b>" + number(at_limit, "s") + "</b> at " + NumberText(limit) + " " + unit;
   };
-  const robot::Damage& sheet = damage.sheet;
+  const robot::DamageTotals& sheet = damage.sheet;
   std::string html = "<p>" + std::to_string(sheet.falls) + (sheet.falls == 1 ? " fall" : " falls") +
                      " · tilted by " + NumberText(sheet.worst_tilt) + " rad at most · shock " +
                      NumberText(sheet.shock) + " m/s² · " + NumberText(sheet.energy) +

@@ -10,6 +10,7 @@
 #include "judge/condition.h"
 #include "record/player.h"
 #include "record/ros2msg.h"
+#include "wire/robot_topics.h"
 
 namespace understudy::rehearse {
 namespace {
@@ -17,12 +18,13 @@ namespace {
 using nlohmann::json;
 using Source = Signal::Source;
 
-constexpr char kStateTopic[] = "rt/lowstate";
 constexpr std::string_view kFirstCommand = "first_command";
 
-signals::Truth ViewOf(const record::Truth& truth) {
-  return {.qpos = truth.qpos,
-          .qvel = truth.qvel,
+signals::TruthView ViewOf(const record::Truth& truth, const record::BaseAddress& base) {
+  const std::span<const double> qpos = truth.qpos, qvel = truth.qvel;
+  const bool free = record::HasFreeBase(truth, base);
+  return {.base_position = free ? qpos.subspan(base.qpos, 7) : qpos.first(0),
+          .base_velocity = free ? qvel.subspan(base.qvel, 6) : qvel.first(0),
           .tau = truth.tau,
           .foot_force = truth.foot_force,
           .crane_tension = truth.crane_tension};
@@ -46,17 +48,22 @@ std::string WrongField(const std::string& type, const std::string& field) {
   return {};
 }
 
-Evidence::Evidence(std::vector<Signal> signals, std::uint64_t start, Give give)
-    : start_(start), give_(std::move(give)) {
+double Evidence::ValueBefore(const Signal& signal) {
+  return signal.of_one_instant() || signal.source == Source::kEventCount ? 0 : judge::kUnknown;
+}
+
+Evidence::Evidence(std::vector<Signal> signals, std::uint64_t start, Give give, std::size_t robot)
+    : start_(start), give_(std::move(give)), robot_(robot) {
   for (Signal& signal : signals) {
-    // No event has happened before the first one.
-    const bool counts = signal.of_one_instant() || signal.source == Source::kEventCount;
-    values_.push_back(counts ? 0 : judge::kUnknown);
-    if (signal.origin() == Origin::kMessages) by_topic_[signal.topic].push_back(slots_.size());
+    values_.push_back(ValueBefore(signal));
+    const bool own = signal.robot == robot_;
+    if (own && signal.origin() == Origin::kMessages) {
+      by_topic_[signal.topic].push_back(slots_.size());
+    }
     const double word = judge::WordNumber(signal.printed);
     Slot slot{.signal = std::move(signal), .field = {}, .wrong = {}, .word = word, .last = {}};
-    if (slot.signal.source == Source::kFirstJump) {
-      by_topic_[kStateTopic].push_back(slots_.size());
+    if (own && slot.signal.source == Source::kFirstJump) {
+      by_topic_[std::string(wire::kLowStateName)].push_back(slots_.size());
       slot.jump.emplace(slot.signal.slots);
     }
     slots_.push_back(std::move(slot));
@@ -74,7 +81,7 @@ void Evidence::Take(const record::McapChannel& channel, std::string_view ros_typ
     now_ = at;
   }
   if (channel.topic == record::kTruthTopic) {
-    TakeTruth(record::DecodeTruth(message.data));
+    TakeTruth(record::DecodeTruth(message.data), record::BaseAddress::Of(channel.metadata));
   } else if (channel.topic == record::kEventTopic) {
     TakeEvent(record::DecodeEvent(message.data));
   } else {
@@ -82,23 +89,26 @@ void Evidence::Take(const record::McapChannel& channel, std::string_view ros_typ
   }
 }
 
-void Evidence::TakeTruth(const record::Truth& truth) {
-  if (truth.qpos.size() < 7 || truth.qvel.size() < 6) return;
+void Evidence::TakeTruth(const record::Truth& truth, const record::BaseAddress& base) {
   truth_ = true;
-  const signals::Truth view = ViewOf(truth);
+  const signals::TruthView view = ViewOf(truth, base);
+  fixed_base_ = view.base_position.empty();
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = slots_[i].signal;
-    if (signal.source == Source::kTruth) values_[i] = signal.Told(signal.of(view, signal.index));
+    if (signal.robot != robot_ || signal.source != Source::kTruth) continue;
+    if (signal.of_base && fixed_base_) continue;
+    values_[i] = signal.Told(signal.of(view, signal.index));
   }
 }
 
-void Evidence::TakeEvent(const record::Event& event) {
+void Evidence::TakeEvent(const record::RecordedEvent& event) {
   told_ = true;
   const json detail = json::parse(event.detail, nullptr, false);
   const bool fields = detail.is_object();
   const double count = fields && detail.contains("count") ? ValueOf(detail["count"]) : 1;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = slots_[i].signal;
+    if (signal.robot != robot_) continue;
     if (signal.source == Source::kFirstJump && event.kind == kFirstCommand && fields) {
       values_[i] = ValueOf(detail.value("jump", json()));
     }
@@ -161,7 +171,7 @@ void Evidence::TakeJump(const std::string& topic, std::string_view ros_type,
   if (truth_ || told_) return;
   Slot& slot = slots_[place];
   try {
-    if (topic == kStateTopic) {
+    if (topic == wire::kLowStateName) {
       slot.jump->TakeState(ros_type, message);
     } else if (const auto jump = slot.jump->TakeCommand(ros_type, message)) {
       values_[place] = *jump;
@@ -195,6 +205,9 @@ std::string Evidence::WhyUnknown(std::size_t signal) const {
   const Slot& slot = slots_[signal];
   if (!slot.wrong.empty()) return slot.wrong;
   const Origin origin = slot.signal.origin();
+  if (slot.signal.of_base && fixed_base_) {
+    return slot.signal.name + " is of a base that moves, and this robot's is fixed";
+  }
   if (origin == Origin::kTruth && !truth_) {
     return slot.signal.name + " is the simulation's truth, which this recording does not have";
   }

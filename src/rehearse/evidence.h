@@ -33,9 +33,12 @@ class Evidence {
   // The values of all signals at `at`; NaN for what nobody has said yet.
   using Give = std::function<void(judge::Time at, std::span<const double> values)>;
 
-  // The samples have the values of `signals` in their order. Times count from `start` [ns since
-  // 1970].
-  Evidence(std::vector<Signal> signals, std::uint64_t start, Give give);
+  // The samples have the values of `signals` in their order; those of other robots than number
+  // `robot` are never said. Times count from `start` [ns since 1970].
+  Evidence(std::vector<Signal> signals, std::uint64_t start, Give give, std::size_t robot = 0);
+
+  // The value of a signal before anything has been said: no event has happened.
+  static double ValueBefore(const Signal& signal);
 
   // A message with an earlier time than the one before counts as of that one's.
   void Take(const record::McapChannel& channel, std::string_view ros_type,
@@ -49,7 +52,7 @@ class Evidence {
   // An event as it was recorded.
   struct Told {
     judge::Time at = 0;
-    record::Event event{};
+    record::RecordedEvent event{};
   };
   // All events but those of late ticks.
   const std::vector<Told>& events() const { return events_; }
@@ -66,8 +69,8 @@ class Evidence {
     std::optional<FirstJump> jump{};        // kFirstJump
   };
 
-  void TakeTruth(const record::Truth& truth);
-  void TakeEvent(const record::Event& event);
+  void TakeTruth(const record::Truth& truth, const record::BaseAddress& base);
+  void TakeEvent(const record::RecordedEvent& event);
   void TakeJump(const std::string& topic, std::string_view ros_type, record::ByteSpan message,
                 std::size_t place);
   void TakeMessage(const std::string& topic, std::string_view ros_type,
@@ -78,10 +81,12 @@ class Evidence {
   std::map<std::string, std::vector<std::size_t>, std::less<>> by_topic_;  // places in slots_
   std::uint64_t start_;
   Give give_;
+  std::size_t robot_;
   std::vector<double> values_;
   std::optional<judge::Time> now_;
   bool pulses_ = false;  // some value is that of this instant only
   bool truth_ = false, told_ = false;
+  bool fixed_base_ = false;  // as the truth has it
   std::vector<Told> events_;
 };
 

@@ -13,11 +13,12 @@
 namespace understudy::rehearse {
 namespace {
 
-using config::YamlValue;
 using judge::Claim;
 using judge::Formula;
 using judge::OperatorRow;
+using schema::YamlValue;
 
+constexpr std::string_view kSafe = "safe";
 constexpr std::size_t kMostName = 80;  // characters; *assumed*
 constexpr std::size_t kMostSays = 400;
 
@@ -66,7 +67,8 @@ constexpr ExpectationKey kExpectationKeys[] = {
      "Beginning of the window: simulated time, or the first instant at which the condition holds; "
      "the start unless given"},
     {"to", nullptr, "seconds or a condition",
-     "End of the window, likewise; the end of the run unless given"},
+     "End of the window: simulated time, or the first instant at which the condition holds; the "
+     "end of the run unless given"},
     {"during", nullptr, "seconds", "Length of the window, in place of `to`"},
     {"until", &OperatorRow::takes_until, "a condition", "What the claim holds until"},
     {"within", &OperatorRow::takes_within, "seconds", "After the window begins, at the latest"},
@@ -104,7 +106,7 @@ const OperatorRow& OperatorOf(const YamlValue& value) {
     const bool elsewhere =
         found != nullptr && std::ranges::find(kExpectationKeys, key.text, &ExpectationKey::key) !=
                                 std::ranges::end(kExpectationKeys);
-    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) +
+    throw ConfigError(key.where + ": key '" + schema::OneLine(key.text) +
                       "': " + (elsewhere ? "not with " + std::string(found->word) : "unknown") +
                       DidYouMean(key.text, known));
   }
@@ -196,6 +198,18 @@ Expectation ReadOne(const YamlValue& value, const Names& names, Expectations* al
   return one;
 }
 
+// What `safe` stands for, besides the damage sheet, of the robot whose signals begin with `prefix`.
+// The angle is *assumed*: a robot that lies or climbs tilts less.
+YamlValue SafeSet(const std::string& prefix) {
+  const auto line = [&prefix](const std::string& condition, const std::string& name) {
+    return "- {never: \"" + prefix + condition + "\", name: \"" + prefix + name + "\"}\n";
+  };
+  return schema::ParseYaml(line("base.tilt > 45 deg", "stays upright") +
+                               line("refused happens", "no command is refused") +
+                               line("call_refused happens", "no call is refused"),
+                           std::string(kSafe));
+}
+
 }  // namespace
 
 std::vector<Claim> Expectations::claims() const {
@@ -209,7 +223,28 @@ Expectations ReadExpectations(const YamlValue& list, const Names& names) {
     Refuse(list, "expect", "a list of expectations, as in [{always: base.height > 0.2}]");
   }
   Expectations all;
+  if (!names.robot.empty()) {
+    all.robots.push_back(names.robot);
+    for (const Names& other : names.others) all.robots.push_back(other.robot);
+  }
+  std::vector<YamlValue> items;
   for (const YamlValue& item : list.items) {
+    if (item.kind != YamlValue::Kind::kScalar || item.text != kSafe) {
+      items.push_back(item);
+      continue;
+    }
+    all.safe = true;
+    std::vector<std::string> prefixes{all.robots.empty() ? "" : names.robot + ":"};
+    for (const Names& other : names.others) prefixes.push_back(other.robot + ":");
+    for (const std::string& prefix : prefixes) {
+      YamlValue set = SafeSet(prefix);
+      for (YamlValue& one : set.items) {
+        one.where = item.where;
+        items.push_back(std::move(one));
+      }
+    }
+  }
+  for (const YamlValue& item : items) {
     Expectation one = ReadOne(item, names, &all);
     const auto same = std::ranges::find(all.list, one.name, &Expectation::name);
     if (same != all.list.end()) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "config/yaml_document.h"
 #include "judge/claim.h"
+#include "schema/yaml_document.h"
 #include "signals/bound_condition.h"
 
 namespace understudy::rehearse {
@@ -33,14 +33,17 @@ struct Expectation {
 
 struct Expectations {
   std::vector<Expectation> list{};
-  std::vector<Signal> signals{};  // of all, each once
+  std::vector<Signal> signals{};      // of all, each once
+  std::vector<std::string> robots{};  // by number, of several; else empty
+  bool safe = false;                  // no figure of the damage sheet is beyond its limit, too
+  bool script = false;                // no event of the script is refused, too
 
   std::vector<judge::Claim> claims() const;
 };
 
 // Reads the list under `expect`. Throws ConfigError with file, line, key, what was expected and the
-// nearest word.
-Expectations ReadExpectations(const config::YamlValue& list, const Names& names);
+// nearest word. The item `safe` stands for the standard set.
+Expectations ReadExpectations(const schema::YamlValue& list, const Names& names);
 
 // Returns the keys of an expectation as Markdown.
 std::string ExpectationsReference();

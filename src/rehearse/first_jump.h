@@ -29,8 +29,8 @@ class FirstJump {
 
   std::vector<int> slots_;
   std::vector<record::CdrField> states_;  // by slot of slots_; empty before the first message
-  std::vector<Command> commands_;         // likewise
-  std::vector<std::optional<double>> q_;  // rad, likewise, in the last state
+  std::vector<Command> commands_;         // by slot of slots_; empty before the first message
+  std::vector<std::optional<double>> q_;  // rad, by slot of slots_, in the last state
   bool over_ = false;
 };
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/printed.h"
+#include "record/svg_plot.h"
 #include "rehearse/outputs.h"
-#include "rehearse/svg_plot.h"
 #include "version.h"
 
 namespace understudy::rehearse {
@@ -57,7 +57,7 @@ record::TracePoints Scaled(record::TracePoints points, double scale) {
   return points;
 }
 
-std::string Figure(const SvgPlot& plot, const std::string& caption) {
+std::string Figure(const record::SvgPlot& plot, const std::string& caption) {
   return "<figure>" + DrawSvg(plot) + "<figcaption>" + Escaped(caption) + "</figcaption></figure>";
 }
 
@@ -85,13 +85,14 @@ std::string PlotsOf(std::size_t index, const Occasion& occasion, const Expectati
   std::string html;
   for (const Drawn& drawn : DrawnOf(expectation, expectations)) {
     const std::string& name = expectations.signals[drawn.signal].name;
-    SvgPlot whole{.label = name + (drawn.unit.empty() ? "" : " [" + drawn.unit + "]"),
-                  .to = std::max(judged.end, 1e-3),
-                  .points = Scaled(judged.whole[drawn.signal], drawn.scale),
-                  .limits = drawn.limits,
-                  .events = events,
-                  .width = 600};
-    if (whole.points.empty()) continue;
+    record::SvgPlot whole{
+        .label = name + (drawn.unit.empty() ? "" : " [" + drawn.unit + "]"),
+        .to = std::max(judged.end, 1e-3),
+        .lines = {{.kind = "signal", .points = Scaled(judged.whole[drawn.signal], drawn.scale)}},
+        .limits = drawn.limits,
+        .events = events,
+        .width = 600};
+    if (whole.lines[0].points.empty()) continue;
     if (verdict.begin && verdict.end) {
       whole.window = std::pair(SecondsOf(*verdict.begin), SecondsOf(*verdict.end));
     }
@@ -103,10 +104,10 @@ std::string PlotsOf(std::size_t index, const Occasion& occasion, const Expectati
     const Closeup& closeup =
         judged.closeups[index][static_cast<std::size_t>(place - expectation.signals.begin())];
     if (!whole.at || closeup.points.empty() || closeup.to <= closeup.from) continue;
-    SvgPlot near = whole;
+    record::SvgPlot near = whole;
     near.from = closeup.from;
     near.to = closeup.to;
-    near.points = Scaled(closeup.points, drawn.scale);
+    near.lines[0].points = Scaled(closeup.points, drawn.scale);
     near.width = 420;
     html += Figure(near, "Around the instant that decided, " + TimeText(*whole.at));
   }
@@ -139,6 +140,15 @@ std::string Summary(const Expectations& expectations, const Judged& judged) {
             std::to_string(i) + "\">" + Escaped(one.name) + "</a></td><td>" +
             Escaped(Explain(one, ruling)) + "</td><td class=\"number\">" +
             Escaped(MarginText(one, ruling.verdict)) + "</td></tr>\n";
+  }
+  html += "</table>\n";
+  if (expectations.robots.empty()) return html;
+  html += "<table><tr><th></th><th>Robot</th></tr>\n";
+  for (std::size_t i = 0; i < expectations.robots.size(); ++i) {
+    const auto outcome = OutcomeOf(i, expectations, judged);
+    html += "<tr><td>" + (outcome ? Badge(*outcome) : "") + "</td><td>" +
+            Escaped(expectations.robots[i]) + (outcome ? "" : ": no expectation names it") +
+            "</td></tr>\n";
   }
   return html + "</table>\n";
 }
@@ -270,18 +280,24 @@ std::string Facts(const Occasion& occasion, const Judged& judged) {
 
 std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
                      const Judged& judged) {
-  const std::size_t failed = judged.Count(Outcome::kFailed);
+  const std::size_t failed = judged.failed();
   const std::size_t open = judged.Count(Outcome::kNotJudged);
-  const Outcome all = failed > 0 || occasion.overlong ? Outcome::kFailed
-                      : open > 0                      ? Outcome::kNotJudged
-                                                      : Outcome::kPassed;
+  const Outcome all = failed > 0 ? Outcome::kFailed
+                      : open > 0 ? Outcome::kNotJudged
+                                 : Outcome::kPassed;
+  const std::string repeats = RepeatsText(occasion);
   std::string html = "<header><h1>" + Badge(all) + " " + Escaped(occasion.title) + "</h1>";
   if (!occasion.about.empty()) html += "<p>" + Escaped(occasion.about) + "</p>";
   html += "<p class=\"dim\">" + Escaped(occasion.robot) + " · " + TimeText(judged.end) +
           " simulated" + (occasion.wall > 0 ? " in " + TimeText(occasion.wall) : "") + " · " +
           std::to_string(judged.Count(Outcome::kPassed)) + " passed, " + std::to_string(failed) +
           " failed, " + std::to_string(open) + " not judged" +
-          (occasion.stopped.empty() ? "" : " · " + Escaped(occasion.stopped)) + "</p></header>\n";
+          (occasion.stopped.empty() ? "" : " · " + Escaped(occasion.stopped)) +
+          (repeats.empty() ? "" : " · " + Escaped(repeats)) + "</p></header>\n";
+  for (const Failure& failure : judged.failures) {
+    html += "<p>" + Badge(Outcome::kFailed) + " " + Escaped(failure.name + " " + failure.why) +
+            "</p>\n";
+  }
   html += "<h2>Verdicts</h2>\n" + Summary(expectations, judged);
   if (occasion.ladder) html += "<h2>Stages</h2>\n" + LadderTable(*occasion.ladder);
   if (!occasion.pictures.drawn.empty() || !occasion.pictures.why_not.empty()) {
@@ -292,8 +308,11 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
     html += ClaimHtml(i, occasion, expectations, judged);
   }
-  if (judged.damage) {
-    html += "<h2>What it would have done to the robot</h2>\n" + DamageHtml(*judged.damage);
+  for (std::size_t i = 0; i < judged.damage.size(); ++i) {
+    if (!judged.damage[i]) continue;
+    const std::string robot = expectations.robots.empty() ? "the robot" : expectations.robots[i];
+    html += "<h2>What it would have done to " + Escaped(robot) + "</h2>\n" +
+            DamageHtml(*judged.damage[i]);
   }
   html += "<h2>Events</h2>\n" + EventTable(occasion, judged);
   html += "<h2>How to repeat it</h2>\n" + Facts(occasion, judged);

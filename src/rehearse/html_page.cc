@@ -1,4 +1,5 @@
 // What the pages of reports have in common.
+#include "base/printed.h"
 #include "rehearse/outputs.h"
 
 namespace understudy::rehearse {

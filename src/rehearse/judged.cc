@@ -44,7 +44,7 @@ void AddStep(double at, double value, record::TracePoints* points) {
 }
 
 // Collects the values of all signals, and those around the deciding instants.
-void Draw(const record::RecordingReader& reader, const Expectations& expectations, Judged* judged) {
+void Draw(const Recordings& recordings, const Expectations& expectations, Judged* judged) {
   std::vector<record::Trace> traces(expectations.signals.size());
   judged->closeups.resize(expectations.list.size());
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
@@ -73,11 +73,16 @@ void Draw(const record::RecordingReader& reader, const Expectations& expectation
       }
     }
   };
-  Evidence evidence(expectations.signals, StartOf(reader.contents()), give);
-  reader.ReadMessages([&](const record::McapChannel& channel, const record::McapMessage& message) {
-    evidence.Take(channel, TypeOf(reader, channel), message);
-    return true;
-  });
+  WorldEvidence evidence(expectations.signals, expectations.robots, give);
+  for (std::size_t robot = 0; robot < recordings.size(); ++robot) {
+    const record::RecordingReader& reader = *recordings[robot];
+    evidence.Begin(robot, StartOf(reader.contents()));
+    reader.ReadMessages(
+        [&](const record::McapChannel& channel, const record::McapMessage& message) {
+          evidence.Take(robot, channel, TypeOf(reader, channel), message);
+          return true;
+        });
+  }
   evidence.Finish();
   for (const record::Trace& trace : traces) {
     judged->whole.push_back(record::Thinned(trace.points(), 0, judged->end));
@@ -120,28 +125,47 @@ std::string ReasonText(const Expectations& expectations, const Expectation& expe
   return {};
 }
 
+void AddFailures(const Expectations& expectations, Judged* judged) {
+  std::size_t refused = 0;
+  for (const Evidence::Told& told : judged->events) {
+    if (!expectations.script || told.event.kind != "script_refused") continue;
+    if (++refused == 1) {
+      const std::string text = Printable(told.event.text);  // "script: walk.yaml:7: it falls"
+      judged->failures.push_back(
+          {"the script", "was refused" + text.substr(std::min(text.find(':'), text.size()))});
+    }
+  }
+  if (refused > 1) {
+    judged->failures.back().why += ", and " + std::to_string(refused - 1) + " more";
+  }
+  for (std::size_t robot = 0; robot < judged->damage.size(); ++robot) {
+    if (!expectations.safe || !judged->damage[robot]) continue;
+    const std::string beyond = BeyondText(*judged->damage[robot]);
+    if (beyond.empty()) continue;
+    judged->failures.push_back(
+        {expectations.robots.empty() ? "the robot" : expectations.robots[robot],
+         "is beyond its limits: " + beyond});
+  }
+}
+
 }  // namespace
 
 Jury::Jury(const Expectations& expectations)
-    : expectations_(expectations), judge_(expectations.claims()) {}
-
-void Jury::Begin(std::uint64_t start) {
-  evidence_ = std::make_unique<Evidence>(
-      expectations_.signals, start,
-      [this](judge::Time at, std::span<const double> values) { judge_.Take(at, values); });
+    : expectations_(expectations),
+      judge_(expectations.claims()),
+      evidence_(expectations.signals, expectations.robots,
+                [this](judge::Time at, std::span<const double> values) {
+                  judge_.Take(at, values);
+                  failed_ = judge_.failed();
+                  decided_ = judge_.decided();
+                }) {
+  const std::size_t robots = std::max<std::size_t>(1, expectations.robots.size());
+  for (std::size_t robot = 0; robot < robots; ++robot) hearings_.emplace_back(robot, this);
 }
 
-void Jury::Hear(const record::McapChannel& channel, std::string_view ros_type,
-                const record::McapMessage& message) {
-  evidence_->Take(channel, ros_type, message);
-  failed_ = judge_.failed();
-  decided_ = judge_.decided();
-}
-
-void Jury::Finish() {
-  if (evidence_ == nullptr) Begin(0);
-  evidence_->Finish();
-  judge_.Finish();
+void Jury::Finish(bool cut) {
+  evidence_.Finish();
+  judge_.Finish(cut);
 }
 
 std::vector<Verdict> Jury::verdicts() const {
@@ -160,7 +184,7 @@ std::vector<Verdict> Jury::verdicts() const {
 
 std::string Jury::WhyNot(std::size_t expectation) const {
   for (const std::size_t signal : expectations_.list[expectation].signals) {
-    if (std::string why = evidence_->WhyUnknown(signal); !why.empty()) return why;
+    if (std::string why = evidence_.WhyUnknown(signal); !why.empty()) return why;
   }
   return {};
 }
@@ -170,23 +194,33 @@ std::size_t Judged::Count(Outcome outcome) const {
       rulings, [outcome](const Ruling& ruling) { return ruling.verdict.outcome == outcome; }));
 }
 
-Judged JudgeRecording(const record::RecordingReader& reader, const Expectations& expectations) {
-  const record::McapContents& contents = reader.contents();
-  Jury jury(expectations);
-  jury.Begin(StartOf(contents));
-  std::optional<record::Damage> damage;
-  reader.ReadMessages([&](const record::McapChannel& channel, const record::McapMessage& message) {
-    jury.Hear(channel, TypeOf(reader, channel), message);
-    if (channel.topic == record::kDamageTopic) damage = record::DecodeDamage(message.data);
-    return true;
-  });
-  jury.Finish();
+Recordings OpenRecordings(const std::vector<std::filesystem::path>& files) {
+  Recordings recordings;
+  for (const std::filesystem::path& file : files) recordings.push_back(record::OpenRecording(file));
+  return recordings;
+}
 
-  Judged judged{.events = jury.evidence().events(),
-                .damage = std::move(damage),
-                .end = SecondsOf(jury.end()),
-                .cut_short = contents.cut_short};
-  if (const auto about = contents.metadata.find("understudy"); about != contents.metadata.end()) {
+Judged JudgeRecordings(const Recordings& recordings, const Expectations& expectations, bool cut) {
+  Jury jury(expectations);
+  Judged judged;
+  for (std::size_t robot = 0; robot < recordings.size(); ++robot) {
+    const record::RecordingReader& reader = *recordings[robot];
+    record::Audience& hearing = *jury.Hearing(robot);
+    std::optional<record::Damage>& damage = judged.damage.emplace_back();
+    hearing.Begin(StartOf(reader.contents()));
+    reader.ReadMessages(
+        [&](const record::McapChannel& channel, const record::McapMessage& message) {
+          hearing.Hear(channel, TypeOf(reader, channel), message);
+          if (channel.topic == record::kDamageTopic) damage = record::DecodeDamage(message.data);
+          return true;
+        });
+    if (judged.cut_short.empty()) judged.cut_short = reader.contents().cut_short;
+  }
+  jury.Finish(cut);
+  judged.events = jury.events();
+  judged.end = SecondsOf(jury.end());
+  const auto& metadata = recordings.front()->contents().metadata;
+  if (const auto about = metadata.find("understudy"); about != metadata.end()) {
     judged.about = about->second;
   }
   const std::vector<Verdict> verdicts = jury.verdicts();
@@ -197,8 +231,24 @@ Judged JudgeRecording(const record::RecordingReader& reader, const Expectations&
     }
     judged.rulings.push_back({.verdict = verdicts[i], .why = std::move(why)});
   }
-  Draw(reader, expectations, &judged);
+  AddFailures(expectations, &judged);
+  Draw(recordings, expectations, &judged);
   return judged;
+}
+
+std::optional<Outcome> OutcomeOf(std::size_t robot, const Expectations& expectations,
+                                 const Judged& judged) {
+  std::optional<Outcome> worst;
+  const std::string name = expectations.robots[robot] + ":";
+  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+    const bool about = std::ranges::any_of(expectations.list[i].signals, [&](std::size_t signal) {
+      return expectations.signals[signal].name.starts_with(name);
+    });
+    if (!about || worst == Outcome::kFailed) continue;
+    const Outcome outcome = judged.rulings[i].verdict.outcome;
+    if (!worst || outcome != Outcome::kPassed) worst = outcome;
+  }
+  return worst;
 }
 
 std::string MarginText(const Expectation& expectation, const Verdict& verdict) {
@@ -224,7 +274,7 @@ std::string Explain(const Expectation& expectation, const Ruling& ruling) {
     text = leaf.text.substr(0, leaf.text.find(' ')) + " was " +
            WithUnit(verdict.worth.value, leaf.unit);
   } else if (passed ? HoldsThroughout(expectation.claim) : !HoldsThroughout(expectation.claim)) {
-    return passed ? "throughout" : "at no instant";
+    return passed ? "throughout" : "never happened";
   } else {
     // An event or a state.
     const bool met =

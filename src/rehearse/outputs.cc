@@ -1,6 +1,8 @@
 #include "rehearse/outputs.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <nlohmann/json.hpp>
 
@@ -63,7 +65,7 @@ ordered_json Told(const Ladder& ladder) {
 
 // As GET /snapshot?parts=damage has it.
 ordered_json Told(const record::Damage& damage) {
-  const robot::Damage& sheet = damage.sheet;
+  const robot::DamageTotals& sheet = damage.sheet;
   ordered_json motors = ordered_json::array();
   for (std::size_t i = 0; i < sheet.motors.size(); ++i) {
     const robot::MotorDamage& motor = sheet.motors[i];
@@ -107,12 +109,31 @@ const char* Word(Outcome outcome, bool colored) {
   }
 }
 
+std::string RepeatsText(const Occasion& occasion) {
+  std::string text = occasion.clock == "simulated" ? "clock: simulated" : "";
+  if (occasion.repeats) {
+    text += text.empty() ? "" : ", ";
+    text += std::string("repeatable: ") + (*occasion.repeats ? "yes" : "no");
+  }
+  return text +
+         (occasion.unrepeatable.empty() ? "" : "; two runs may differ: " + occasion.unrepeatable);
+}
+
 std::string TellLines(const Occasion& occasion, const Expectations& expectations,
                       const Judged& judged, bool colored) {
   std::size_t width = 0;
   for (const Expectation& one : expectations.list) width = std::max(width, one.name.size());
   std::string text = occasion.title + "\n";
-  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+  for (const Failure& failure : judged.failures) {
+    text += std::string("  ") + Word(Outcome::kFailed, colored) + "  " + failure.name + " " +
+            failure.why + "\n";
+  }
+  std::vector<std::size_t> order(expectations.list.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_partition(order.begin(), order.end(), [&judged](std::size_t i) {
+    return judged.rulings[i].verdict.outcome == Outcome::kFailed;
+  });
+  for (const std::size_t i : order) {
     const Expectation& one = expectations.list[i];
     const Ruling& ruling = judged.rulings[i];
     const std::string margin = MarginText(one, ruling.verdict);
@@ -121,14 +142,17 @@ std::string TellLines(const Occasion& occasion, const Expectations& expectations
             (margin.empty() ? "" : "; margin " + margin) + "\n";
   }
   text += std::to_string(judged.Count(Outcome::kPassed)) + " passed, " +
-          std::to_string(judged.Count(Outcome::kFailed)) + " failed, " +
+          std::to_string(judged.failed()) + " failed, " +
           std::to_string(judged.Count(Outcome::kNotJudged)) + " not judged in " +
           Fixed(judged.end) + " s";
-  if (!occasion.stopped.empty() && !occasion.overlong) text += " (" + occasion.stopped + ")";
+  if (!occasion.stopped.empty()) text += " (" + occasion.stopped + ")";
   text += "\n";
-  if (occasion.overlong) {
-    text += std::string("  ") + Word(Outcome::kFailed, colored) + "  the rehearsal " +
-            occasion.stopped + "\n";
+  const std::string repeats = RepeatsText(occasion);
+  if (!repeats.empty()) text += repeats + "\n";
+  for (std::size_t i = 0; i < expectations.robots.size(); ++i) {
+    const auto outcome = OutcomeOf(i, expectations, judged);
+    text += std::string("  ") + (outcome ? Word(*outcome, colored) : "    ") + "  " +
+            expectations.robots[i] + (outcome ? "" : "  no expectation names it") + "\n";
   }
   if (!occasion.ladder) return text;
   const Ladder& ladder = *occasion.ladder;
@@ -148,40 +172,37 @@ std::string TellJson(const Occasion& occasion, const Expectations& expectations,
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
     verdicts.push_back(Told(expectations.list[i], judged.rulings[i]));
   }
-  ordered_json damage = nullptr;
-  if (judged.damage) damage = Told(*judged.damage);
+  const auto damage = [&judged](std::size_t robot) -> ordered_json {
+    if (robot >= judged.damage.size() || !judged.damage[robot]) return nullptr;
+    return Told(*judged.damage[robot]);
+  };
+  ordered_json robots = ordered_json::array();
+  for (std::size_t i = 0; i < expectations.robots.size(); ++i) {
+    const auto outcome = OutcomeOf(i, expectations, judged);
+    ordered_json robot = {{"name", expectations.robots[i]}, {"damage", damage(i)}};
+    robot["outcome"] = outcome ? ordered_json(judge::Name(*outcome)) : ordered_json(nullptr);
+    robots.push_back(std::move(robot));
+  }
+  ordered_json failures = ordered_json::array();
+  for (const Failure& failure : judged.failures) {
+    failures.push_back({{"name", failure.name}, {"why", failure.why}});
+  }
   ordered_json ladder = nullptr;
   if (occasion.ladder) ladder = Told(*occasion.ladder);
-  const ordered_json told = {{"title", occasion.title},
-                             {"scenario", occasion.source},
-                             {"robot", occasion.robot},
-                             {"recording", occasion.recording},
-                             {"repeat", occasion.repeat},
-                             {"passed", judged.Count(Outcome::kPassed)},
-                             {"failed", judged.Count(Outcome::kFailed)},
-                             {"not_judged", judged.Count(Outcome::kNotJudged)},
-                             {"seconds", judged.end},
-                             {"stopped", occasion.stopped},
-                             {"overlong", occasion.overlong},
-                             {"about", judged.about},
-                             {"damage", damage},
-                             {"ladder", ladder},
-                             {"verdicts", verdicts}};
+  const ordered_json repeatable =
+      occasion.repeats ? ordered_json(*occasion.repeats) : ordered_json(nullptr);
+  const ordered_json told = {
+      {"title", occasion.title},   {"scenario", occasion.source},
+      {"robot", occasion.robot},   {"recording", occasion.recording},
+      {"repeat", occasion.repeat}, {"passed", judged.Count(Outcome::kPassed)},
+      {"failed", judged.failed()}, {"not_judged", judged.Count(Outcome::kNotJudged)},
+      {"seconds", judged.end},     {"stopped", occasion.stopped},
+      {"clock", occasion.clock},   {"unrepeatable", occasion.unrepeatable},
+      {"repeatable", repeatable},  {"failures", failures},
+      {"about", judged.about},     {"damage", damage(0)},
+      {"robots", robots},          {"ladder", ladder},
+      {"verdicts", verdicts}};
   return told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
-
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&') escaped += "&amp;";
-    if (c == '<') escaped += "&lt;";
-    if (c == '>') escaped += "&gt;";
-    if (c == '"') escaped += "&quot;";
-    const bool written = c == '&' || c == '<' || c == '>' || c == '"';
-    const bool control = static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t';
-    if (!written) escaped += control ? '?' : c;
-  }
-  return escaped;
 }
 
 std::string TellJunit(const Occasion& occasion, const Expectations& expectations,
@@ -209,20 +230,25 @@ std::string TellJunit(const Occasion& occasion, const Expectations& expectations
       cases += "/>\n";
     }
   }
-  if (occasion.overlong) {
-    cases += "    <testcase" + attribute("name", "the rehearsal ends") +
+  for (const Failure& failure : judged.failures) {
+    cases += "    <testcase" + attribute("name", failure.name) +
              attribute("classname", "understudy." + occasion.title) + attribute("time", time) +
-             ">\n      <failure" + attribute("type", "overlong") +
-             attribute("message", occasion.stopped) + "/>\n    </testcase>\n";
+             ">\n      <failure" + attribute("type", "failed") + attribute("message", failure.why) +
+             "/>\n    </testcase>\n";
   }
-  const std::size_t more = occasion.overlong ? 1 : 0;
-  const std::size_t failed = judged.Count(Outcome::kFailed) + more;
-  const std::string counts = attribute("tests", std::to_string(expectations.list.size() + more)) +
-                             attribute("failures", std::to_string(failed)) +
+  const std::size_t tests = expectations.list.size() + judged.failures.size();
+  const std::string counts = attribute("tests", std::to_string(tests)) +
+                             attribute("failures", std::to_string(judged.failed())) +
                              attribute("errors", "0");
   std::string started;
   if (const auto when = judged.about.find("started"); when != judged.about.end()) {
     started = when->second.substr(0, 19);  // without the Z, as JUnit has it
+  }
+  std::string robots;
+  for (std::size_t i = 0; i < expectations.robots.size(); ++i) {
+    const auto outcome = OutcomeOf(i, expectations, judged);
+    robots += "      <property" + attribute("name", "verdict of " + expectations.robots[i]) +
+              attribute("value", outcome ? std::string(judge::Name(*outcome)) : "") + "/>\n";
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
          attribute("name", "understudy " + std::string(kVersion)) + counts +
@@ -230,10 +256,10 @@ std::string TellJunit(const Occasion& occasion, const Expectations& expectations
          attribute("skipped", std::to_string(judged.Count(Outcome::kNotJudged))) +
          attribute("time", time) + (started.empty() ? "" : attribute("timestamp", started)) +
          ">\n    <properties>\n" + "      <property name=\"robot\"" +
-         attribute("value", occasion.robot) + "/>\n" + "      <property name=\"recording\"" +
-         attribute("value", occasion.recording) + "/>\n" + "      <property name=\"repeat\"" +
-         attribute("value", occasion.repeat) + "/>\n" + "    </properties>\n" + cases +
-         "  </testsuite>\n</testsuites>\n";
+         attribute("value", occasion.robot) + "/>\n" + robots +
+         "      <property name=\"recording\"" + attribute("value", occasion.recording) + "/>\n" +
+         "      <property name=\"repeat\"" + attribute("value", occasion.repeat) + "/>\n" +
+         "    </properties>\n" + cases + "  </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace understudy::rehearse

@@ -37,11 +37,16 @@ struct Occasion {
   std::string scenario{};             // text of the file
   std::vector<std::string> script{};  // what its events ask for
   std::string stopped{};              // why it ended before its time; else ""
-  bool overlong = false;              // that is since its limit came: it has failed
+  std::string clock{};                // "real" or "simulated" of its program; "" without one
+  std::string unrepeatable{};         // why two runs may differ; "": no cause is known
+  std::optional<bool> repeats{};      // the same was played before and said the same
   std::optional<Ladder> ladder{};     // of a scenario with stages
   Pictures pictures{};                // for the report
   double wall = 0;                    // s that it took; 0 if it was not run now
 };
+
+// "clock: simulated, repeatable: yes"; "" where nothing is to be said.
+std::string RepeatsText(const Occasion& occasion);
 
 // Lines for a terminal, one an expectation, with a summary at the end. `colored`: for a terminal.
 std::string TellLines(const Occasion& occasion, const Expectations& expectations,
@@ -71,8 +76,5 @@ std::string DamageHtml(const record::Damage& damage);
 const char* Word(judge::Outcome outcome, bool colored);
 std::string HtmlClass(judge::Outcome outcome);
 std::string Badge(judge::Outcome outcome);
-
-// Returns a text for XML and HTML: with entities, without what XML cannot have.
-std::string Escaped(std::string_view text);
 
 }  // namespace understudy::rehearse

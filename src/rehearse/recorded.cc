@@ -7,17 +7,21 @@
 #include <sstream>
 
 #include "base/errors.h"
+#include "base/printed.h"
 #include "record/cdr_field.h"
 #include "record/player.h"
 #include "robot/robot_values.h"
+#include "wire/robot_topics.h"
 #include "wire/slots.h"
 
 namespace understudy::rehearse {
 namespace {
 
-constexpr std::string_view kState = "rt/lowstate", kCommand = "rt/lowcmd";
-constexpr std::string_view kBattery = "rt/lf/bmsstate";  // of the hg family
+constexpr std::string_view kState = wire::kLowStateName, kCommand = wire::kLowCmdName;
+constexpr std::string_view kBattery = wire::topic::kLfBmsState.name;  // of the hg family
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+// Longest time without a state [s]; *assumed*. A longer one is a clock that was set.
+constexpr double kLongestGap = 60;
 
 // A series that is read.
 struct Reading {
@@ -155,6 +159,13 @@ Recorded ReadRecorded(const record::RecordingReader& reader, double step) {
     const double at =
         1e-9 * static_cast<double>(message.log_time - std::min(*begin, message.log_time));
     const auto now = static_cast<std::size_t>(std::llround(at / step)) + 1;
+    // Commands and battery are known while there are states.
+    if (now > steps && topic != kState) return;
+    if (now > steps + static_cast<std::size_t>(kLongestGap / step)) {
+      throw RecordError(reader.path().string() + Printed(": at %.1f s its clock jumps by %.0f s",
+                                                         static_cast<double>(steps) * step,
+                                                         at - static_cast<double>(steps) * step));
+    }
     if (now > steps) fill_to(now);
     for (Reading& one : by_topic.find(topic)->second) {
       const auto value = record::ReadField(one.field, message.data);

@@ -39,7 +39,7 @@ struct Series {
 struct Recorded {
   std::string file{};
   std::string robot{};                  // "" if the recording does not say
-  std::map<int, std::string> joints{};  // by slot, without _joint; empty likewise
+  std::map<int, std::string> joints{};  // by slot, without _joint; empty if it does not say
   bool hg = false;
   double step = 0;               // s
   std::vector<Series> series{};  // those of which the recording has values

@@ -1,5 +1,6 @@
 #include "rehearse/rehearse.h"
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <csignal>
@@ -9,8 +10,6 @@
 
 #include "base/errors.h"
 #include "base/printed.h"
-#include "record/mcap_reader.h"
-#include "run/run.h"
 
 namespace understudy::rehearse {
 namespace {
@@ -21,7 +20,7 @@ using std::chrono::steady_clock;
 // All *assumed*.
 constexpr std::chrono::milliseconds kGrace(500);  // from SIGTERM to SIGKILL
 constexpr double kAftermath = 0.5;                // s that are still played after a failure
-constexpr double kAfterProgram = 0.5;             // s, likewise after the program has ended
+constexpr double kAfterProgram = 0.5;             // s that are still played after the program's end
 constexpr double kPastLimit = 0.1;                // s, so that its end counts as too late
 
 // Decides in the loop's thread when the program starts and ends, and the rehearsal with it.
@@ -39,10 +38,16 @@ class StageManager {
   bool ShouldStop(std::int64_t step, emulator::EventRing* events) {
     const double t = static_cast<double>(step) * timestep_;
     if (child_ != nullptr) LeadProgram(t, events);
-    if (options_.interrupted && options_.interrupted()) return Stop("interrupted");
+    if (options_.interrupted && options_.interrupted()) {
+      interrupted_ = true;
+      return Stop("interrupted");
+    }
     if (std::chrono::duration<double>(steady_clock::now() - begun_).count() > options_.limit) {
-      overlong_ = true;
-      return Stop(OverlongText(options_.limit));
+      failure_ = {"the rehearsal", OverlongText(options_.limit)};
+      return Stop("");
+    }
+    if (failure_ && !options_.to_the_end && t >= *ended_ + kAftermath) {
+      return Stop("ended as the program had");
     }
     if (child_ != nullptr && scenario_.config.time.duration <= 0 && ended_ &&
         t >= *ended_ + kAfterProgram) {
@@ -60,7 +65,8 @@ class StageManager {
   }
 
   const std::string& stopped() const { return stopped_; }
-  bool overlong() const { return overlong_; }
+  const std::optional<Failure>& failure() const { return failure_; }
+  bool interrupted() const { return interrupted_; }
 
  private:
   bool Stop(std::string why) {
@@ -72,8 +78,9 @@ class StageManager {
     const Program& program = *scenario_.program;
     if (!started_ && t >= program.at) {
       child_->Release();
+      if (options_.programs != nullptr) options_.programs->ProgramStarts();
       events->Add(EventKind::kProgramStart, 0, {}, ShellText(program.command));
-      started_ = true;
+      started_ = t;
       ends_at_ = program.until;
       if (!ends_at_ && program.limit) ends_at_ = t + *program.limit + kPastLimit;
     }
@@ -92,9 +99,22 @@ class StageManager {
       asked_ = true;
     }
     if (const std::optional<int> code = child_->Poll()) {
+      if (options_.programs != nullptr) options_.programs->ProgramEnded();
       events->Add(EventKind::kProgramEnd, 0, {static_cast<double>(*code)});
       ended_ = t;
+      const bool interrupted = options_.interrupted && options_.interrupted();
+      if (*code != 0 && !asked_ && !interrupted && !IsExpected()) {
+        failure_ = {"the program",
+                    Printed("ended with exit code %d after %.3g s", *code, t - *started_)};
+      }
     }
+  }
+
+  // Whether an expectation says something of the exit code.
+  bool IsExpected() const {
+    return std::ranges::any_of(scenario_.expect.signals, [](const Signal& signal) {
+      return signal.topic == "program_end" && signal.field == "code";
+    });
   }
 
   const Scenario& scenario_;
@@ -103,12 +123,14 @@ class StageManager {
   exec::ChildProcess* child_;
   steady_clock::time_point begun_;
   double timestep_;
-  bool started_ = false, asked_ = false;
+  bool asked_ = false;
+  std::optional<double> started_;  // s: the program
   std::optional<double> ends_at_;  // s: the program is ended
   std::optional<double> ended_;    // s: the program
   std::optional<double> failed_;   // s: an expectation
   std::string stopped_;
-  bool overlong_ = false;
+  std::optional<Failure> failure_;  // of the run itself
+  bool interrupted_ = false;
 };
 
 bool AreSame(const judge::Verdict& a, const judge::Verdict& b) {
@@ -126,35 +148,49 @@ Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
   Jury jury(scenario.expect);
   StageManager manager(scenario, options, &jury, program, begun);
   run::RunOptions run;
-  run.control_socket = options.control_socket;
+  run.access = options.access;
   run.private_network = options.private_network;
+  run.programs = options.programs;
   run.script = scenario.script;
-  run.recording = {.file = options.recording, .overwrite = true, .audience = &jury};
+  run.recording = {.file = options.recording, .overwrite = true};
+  for (std::size_t i = 0; i < scenario.config.robots.size(); ++i) {
+    run.audiences.push_back(jury.Hearing(i));
+  }
   run.should_stop = [&manager](std::int64_t step, emulator::EventRing* events) {
     return manager.ShouldStop(step, events);
   };
   Rehearsal rehearsal;
-  rehearsal.robot = run::RunRobot(scenario.config, run);
+  rehearsal.robot = run::RunWorld(scenario.config, run);
   if (program != nullptr && !program->Poll()) {
     program->Terminate(kGrace);
     program->Wait();
   }
-  jury.Finish();
+  jury.Finish(manager.interrupted());
 
-  const record::McapReader reader(options.recording);
-  if (!reader.contents().cut_short.empty()) {
-    throw RecordError(options.recording.string() +
-                      ": is no evidence: " + reader.contents().cut_short);
+  std::vector<std::filesystem::path> files;
+  for (std::size_t i = 0; i < scenario.config.robots.size(); ++i) {
+    files.push_back(run::RecordingOf(options.recording, scenario.config, i));
   }
-  rehearsal.judged = JudgeRecording(reader, scenario.expect);
+  rehearsal.judged = JudgeRecordings(OpenRecordings(files), scenario.expect, manager.interrupted());
+  if (!rehearsal.judged.cut_short.empty()) {
+    throw RecordError(options.recording.string() +
+                      ": is no evidence: " + rehearsal.judged.cut_short);
+  }
   const std::vector<judge::Verdict> heard = jury.verdicts();
   for (std::size_t i = 0; i < heard.size(); ++i) {
     if (AreSame(heard[i], rehearsal.judged.rulings[i].verdict)) continue;
     throw SetupError("a bug: '" + scenario.expect.list[i].name +
                      "' is judged otherwise from the recording than it was in the run");
   }
+  if (std::optional<Failure> failure = manager.failure()) {
+    if (options.errors != nullptr && failure->name == "the program") {
+      options.errors->Finish();
+      const std::string last = Printable(options.errors->last_line());
+      if (!last.empty()) failure->why += ": " + last;
+    }
+    rehearsal.judged.failures.insert(rehearsal.judged.failures.begin(), *failure);
+  }
   rehearsal.stopped = manager.stopped();
-  rehearsal.overlong = manager.overlong();
   rehearsal.wall = std::chrono::duration<double>(steady_clock::now() - begun).count();
   return rehearsal;
 }

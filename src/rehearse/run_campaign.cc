@@ -168,8 +168,23 @@ void ClaimFolder(const CampaignHead& head, const CampaignOptions& options) {
   std::error_code error;
   const std::string there = FileText(options.out / kHeadFile);
   const std::string text = HeadText(head);
-  if (options.again && there != text) fs::remove_all(options.out / "runs", error);
-  MakeFolder(options.out / "runs");
+  const fs::path runs = options.out / "runs";
+  if (there.empty() && fs::exists(runs, error) && !fs::is_empty(runs, error)) {
+    throw ConfigError(runs.string() + ": is not of a campaign; use another --out");
+  }
+  if (options.again && there != text) {
+    // What campaigns have made: 000001 and 000001.json.
+    std::vector<fs::path> old;
+    for (const fs::directory_entry& entry : fs::directory_iterator(runs, error)) {
+      const std::string stem = entry.path().stem();
+      const bool is_run = stem.find_first_not_of("0123456789") == std::string::npos;
+      if (is_run && (entry.is_directory() || entry.path().extension() == ".json")) {
+        old.push_back(entry.path());
+      }
+    }
+    for (const fs::path& run : old) fs::remove_all(run, error);
+  }
+  MakeFolder(runs);
   if (there == text) return;
   if (!there.empty() && !options.again) {
     throw ConfigError(options.out.string() +

@@ -15,7 +15,7 @@
 namespace understudy::rehearse {
 namespace {
 
-using config::YamlValue;
+using schema::YamlValue;
 using Kind = YamlValue::Kind;
 
 // Letters; *assumed*.
@@ -23,49 +23,87 @@ constexpr std::size_t kMostTitle = 80;
 constexpr std::size_t kMostText = 400;
 constexpr double kLongestProgram = 600;  // s of a program that nothing else ends; *assumed*
 
+using schema::Field;
+using schema::kNumber;
+using schema::kTree;
+
+// A key of a scenario. `sets` is the key of the configuration for which it stands, "" for others.
 struct ScenarioKey {
-  std::string_view key, takes, says;
+  std::string_view key, takes, does, sets{};
 };
 constexpr ScenarioKey kScenarioKeys[] = {
     {"scenario", "a text", "Its title; needed"},
     {"about", "a sentence", "What it shows"},
-    {"robot", "a robot's name or YAML file", "Needed"},
+    {"robot", "a robot's name or YAML file",
+     "Needed, unless there are `robots`; a file is looked for beside the scenario first"},
+    {"robots", "a mapping",
+     "[Several robots](several.md) in one world, as in a file of robots; each expectation then "
+     "names the robot of a signal, as `left:base.tilt < 30 deg`"},
     {"revision", "a revision's name",
      "Of the robot's hardware, as `understudy robots` lists them; the robot's default unless "
-     "given"},
-    {"start", "lying, standing, hanging, clamped", "Start pose; the robot's default unless given"},
-    {"seed", "a whole number", "Of randomization: randomization.seed"},
+     "given",
+     "robot.revision"},
+    {"start", "lying, standing, hanging, clamped", "Start pose; the robot's default unless given",
+     "start.pose"},
+    {"seed", "a whole number", "Of randomization: randomization.seed", "randomization.seed"},
     {"profile", "ideal, nominal, worn, harsh",
-     "How good the [sensors](sensors.md) are; nominal unless given"},
-    {"faults", "a list", "What [fails](faults.md) from the start, or planned with `at`"},
+     "How good the [sensors](sensors.md) are; nominal unless given", "profile"},
+    {"faults", "a list", "What [fails](faults.md) from the start, or planned with `at`", "faults"},
     {"scene", "a kind of terrain or a file",
      "Ground; a file is looked for beside the scenario first"},
+    {"clock", "real, simulated",
+     "Of robot and program: the computer's, or one that [waits for the program](../clock.md); "
+     "real unless given"},
     {"speed", "a number, or max",
-     "Simulated seconds per wall second: max, or 1 with a program, unless given"},
-    {"duration", "seconds", "After which the rehearsal ends; needed without a program"},
+     "Simulated seconds per wall second: max, or 1 with a program on the real clock, unless given"},
+    {"duration", "seconds", "After which the rehearsal ends; needed without a program",
+     "time.duration"},
     {"settings", "a mapping", "Further keys of the configuration, as in a file for --config"},
     {"program", "a mapping", "The program under test, see below"},
-    {"script", "a list", "What happens when, as in a [script](scripts.md)"},
-    {"expect", "a list", "Expectations, see below; needed"},
-    {"stages", "a list", "The [ladder](#stages) to a real robot, each stage with its limits"},
-    {"vary", "a mapping", "How the runs of a [campaign](#campaigns) differ"},
-};
-constexpr ScenarioKey kProgramKeys[] = {
-    {"command", "a list of words", "Program and arguments; `-- CMD...` replaces it"},
-    {"at", "seconds", "When it starts; 0 unless given"},
-    {"until", "seconds", "When it is ended; it ends by itself unless given"},
-    {"by", "term or kill", "How: SIGTERM, and SIGKILL 0.5 s later, unless given; or SIGKILL"},
-    {"limit", "seconds",
-     "From its start, in which it has to end by itself: an expectation like the others; 600 unless "
-     "given, and none beside `until` or `duration`"},
+    {"script", "a list",
+     "What happens when, as in a [script](scripts.md); a refused event fails the rehearsal, "
+     "[unless "
+     "it is expected](../rehearsing.md#a-program-under-test)"},
+    {"expect", "a list",
+     "Expectations, see below; needed. `safe` among them is the [standard "
+     "set](../rehearsing.md#the-standard-set)"},
+    {"stages", "a list",
+     "The [ladder](../rehearsing.md#stages) to a real robot, each stage with its limits"},
+    {"vary", "a mapping", "How the runs of a [campaign](../rehearsing.md#campaigns) differ"},
 };
 
-template <std::size_t kCount>
-void RefuseUnknown(const YamlValue& map, const ScenarioKey (&rows)[kCount]) {
-  std::vector<std::string> known;
-  for (const ScenarioKey& row : rows) known.emplace_back(row.key);
-  RefuseOthers(map, known);
+std::vector<Field> ScenarioFields() {
+  std::vector<Field> fields;
+  for (const auto& [key, takes, does, sets] : kScenarioKeys) {
+    fields.push_back({.key = key, .type = &kTree, .does = does, .takes = takes});
+  }
+  return fields;
 }
+
+constexpr std::string_view kEnds[] = {"term", "kill"};
+constexpr schema::Range kTimes{0, kLatestTime};
+constexpr Field kProgramKeys[] = {
+    {"command",
+     &kTree,
+     "",
+     {},
+     "Program and arguments; `-- CMD...` replaces it",
+     "a list of words"},
+    {"at", &kNumber, "s", kTimes, "When it starts; 0 unless given"},
+    {"until", &kNumber, "s", kTimes, "When it is ended; it ends by itself unless given"},
+    {.key = "by",
+     .type = &schema::kWord,
+     .does = "How: SIGTERM, and SIGKILL 0.5 s later, unless given; or SIGKILL",
+     .words = kEnds},
+    {"limit", &kNumber, "s", kTimes,
+     "From its start, in which it has to end by itself: an expectation like the others; 600 unless "
+     "given, and none beside `until` or `duration`"},
+    {"think",
+     &kNumber,
+     "s",
+     {.min = 0, .max = 1},
+     "From the end of a sleep to its next message, with `clock: simulated`; 0 unless given"},
+};
 
 const YamlValue& Needed(const YamlValue& map, const std::string& key) {
   const YamlValue* value = map.Find(key);
@@ -73,10 +111,11 @@ const YamlValue& Needed(const YamlValue& map, const std::string& key) {
   return *value;
 }
 
-// The value as the configuration's key "a.b".
-YamlValue TreeOf(const std::string& outer, const std::string& inner, const YamlValue& value) {
-  YamlValue tree = inner.empty() ? value : config::MapOf(inner, value);
-  return config::MapOf(outer, std::move(tree));
+// The value under a dotted key of the configuration.
+YamlValue TreeOf(std::string_view key, YamlValue value) {
+  const std::size_t dot = key.find('.');
+  if (dot != std::string_view::npos) value = TreeOf(key.substr(dot + 1), std::move(value));
+  return schema::MapOf(std::string(key.substr(0, dot)), std::move(value));
 }
 
 YamlValue ScalarOf(std::string text, const std::string& where) {
@@ -88,13 +127,11 @@ YamlValue ScalarOf(std::string text, const std::string& where) {
 }
 
 // A file beside the scenario comes before one that the working folder has.
-YamlValue SceneBeside(const std::filesystem::path& file, YamlValue scene) {
+std::string Beside(const std::filesystem::path& file, const std::string& name) {
   std::error_code error;
-  const std::filesystem::path beside = file.parent_path() / scene.text;
-  if (scene.kind == Kind::kScalar && std::filesystem::is_regular_file(beside, error)) {
-    scene.text = std::filesystem::absolute(beside);
-  }
-  return scene;
+  const std::filesystem::path beside = file.parent_path() / name;
+  if (!std::filesystem::is_regular_file(beside, error)) return name;
+  return std::filesystem::absolute(beside);
 }
 
 Program ReadProgram(const YamlValue& value) {
@@ -102,31 +139,26 @@ Program ReadProgram(const YamlValue& value) {
   if (value.kind != Kind::kMap) {
     Refuse(value, "program", "a mapping, as in {command: [python3, walk.py, lo]}");
   }
-  RefuseUnknown(value, kProgramKeys);
+  const schema::Mapping keys(value, kProgramKeys, "program.");
   Program program;
   if (const YamlValue* command = value.Find("command")) {
     if (command->kind != Kind::kSequence || command->items.empty()) {
-      Refuse(*command, "command", "a list of words, as in [python3, walk.py, lo]");
+      Refuse(*command, "program.command", "a list of words, as in [python3, walk.py, lo]");
     }
     for (const YamlValue& word : command->items) {
-      if (word.kind != Kind::kScalar) Refuse(word, "command", "a word");
+      if (word.kind != Kind::kScalar) Refuse(word, "program.command", "a word");
       program.command.push_back(word.text);
     }
   }
-  if (const YamlValue* at = value.Find("at")) program.at = SecondsOf(*at, "program.at");
-  if (const YamlValue* until = value.Find("until")) {
-    program.until = SecondsOf(*until, "program.until");
-    if (*program.until < program.at) {
-      throw ConfigError(until->where + ": program.until: it would end before it starts");
-    }
+  if (const auto at = keys.Take("at")) program.at = at->number;
+  if (const auto until = keys.Take("until")) program.until = until->number;
+  if (program.until && *program.until < program.at) {
+    throw ConfigError(value.Find("until")->where +
+                      ": program.until: it would end before it starts");
   }
-  if (const YamlValue* limit = value.Find("limit")) {
-    program.limit = SecondsOf(*limit, "program.limit");
-  }
-  if (const YamlValue* by = value.Find("by")) {
-    if (by->text != "term" && by->text != "kill") Refuse(*by, "program.by", "term or kill");
-    program.kill = by->text == "kill";
-  }
+  if (const auto limit = keys.Take("limit")) program.limit = limit->number;
+  if (const auto by = keys.Take("by")) program.kill = by->text == "kill";
+  if (const auto think = keys.Take("think")) program.think = think->number;
   return program;
 }
 
@@ -145,7 +177,7 @@ Expectations ExpectationsOf(const YamlValue& document, const Names& names,
     const std::string where = program == nullptr ? document.where : program->where;
     std::array<char, 32> seconds{};
     std::snprintf(seconds.data(), seconds.size(), "%.9g", *limit);
-    YamlValue ends = config::MapOf("eventually", ScalarOf("program_end happens", where));
+    YamlValue ends = schema::MapOf("eventually", ScalarOf("program_end happens", where));
     const auto add = [&](const char* key, const std::string& text) {
       ends.keys.push_back(ScalarOf(key, where));
       ends.items.push_back(ScalarOf(text, where));
@@ -156,49 +188,101 @@ Expectations ExpectationsOf(const YamlValue& document, const Names& names,
     ends.where = where;
     list.items.push_back(std::move(ends));
   }
-  return ReadExpectations(list, names);
+  Expectations expect = ReadExpectations(list, names);
+  expect.script = document.Find("script") != nullptr &&
+                  std::ranges::none_of(expect.signals, [](const Signal& signal) {
+                    return signal.topic == "script_refused" || signal.topic == "script_wait";
+                  });
+  return expect;
+}
+
+bool IsClockSimulated(const YamlValue& document, const ScenarioOptions& options) {
+  const YamlValue* clock = document.Find("clock");
+  if (clock == nullptr) return options.simulated_clock;
+  if (clock->text != "real" && clock->text != "simulated") {
+    Refuse(*clock, "clock", "real or simulated");
+  }
+  return options.simulated_clock || clock->text == "simulated";
 }
 
 // The configuration that a scenario describes; `run` as Scenario has it.
 config::Config ConfigOf(const YamlValue& document, const std::filesystem::path& file,
                         const ScenarioOptions& options, bool has_program, std::size_t run) {
-  config::Layers layers{.robot = LineOf(Needed(document, "robot"), "robot", kMostText),
-                        .sets = options.sets,
-                        .typed = options.typed};
+  const YamlValue* robots = document.Find("robots");
+  if (robots != nullptr && document.Find("robot") != nullptr) {
+    throw ConfigError(robots->where + ": robots: not beside robot");
+  }
+  config::Layers layers{.sets = options.sets, .typed = options.typed};
+  if (robots == nullptr) {
+    layers.robot = LineOf(Needed(document, "robot"), "robot", kMostText);
+    if (layers.robot.ends_with(".yaml")) layers.robot = Beside(file, layers.robot);
+  }
   const std::string& where = document.where;
   if (run > 0) {
-    layers.trees.push_back(TreeOf("randomization", "seed", ScalarOf(std::to_string(run), where)));
+    layers.trees.push_back(TreeOf("randomization.seed", ScalarOf(std::to_string(run), where)));
   }
   const YamlValue* speed = document.Find("speed");
-  const YamlValue pace = speed != nullptr ? *speed : ScalarOf(has_program ? "1" : "max", where);
+  const bool waits = has_program && !IsClockSimulated(document, options);
+  const YamlValue pace = speed != nullptr ? *speed : ScalarOf(waits ? "1" : "max", where);
   layers.trees.push_back(
-      TreeOf("time", "speed", pace.text == "max" ? ScalarOf("0", pace.where) : pace));
+      TreeOf("time.speed", pace.text == "max" ? ScalarOf("0", pace.where) : pace));
   if (const YamlValue* settings = document.Find("settings")) {
     if (settings->kind != Kind::kMap) Refuse(*settings, "settings", "a mapping of keys");
     layers.trees.push_back(*settings);
   }
-  const auto add = [&](const char* key, const char* outer, const char* inner) {
-    const YamlValue* value = document.Find(key);
-    if (value != nullptr) layers.trees.push_back(TreeOf(outer, inner, *value));
-  };
-  add("revision", "robot", "revision");
-  add("start", "start", "pose");
-  add("profile", "profile", "");
-  add("faults", "faults", "");
-  add("seed", "randomization", "seed");
-  add("duration", "time", "duration");
-  if (const YamlValue* scene = document.Find("scene")) {
-    layers.trees.push_back(TreeOf("scene", "", SceneBeside(file, *scene)));
+  for (const ScenarioKey& row : kScenarioKeys) {
+    const YamlValue* value = row.sets.empty() ? nullptr : document.Find(row.key);
+    if (value != nullptr) layers.trees.push_back(TreeOf(row.sets, *value));
   }
+  if (const YamlValue* scene = document.Find("scene")) {
+    YamlValue found = *scene;
+    if (found.kind == Kind::kScalar) found.text = Beside(file, found.text);
+    layers.trees.push_back(TreeOf("scene", found));
+  }
+  if (robots != nullptr) layers.trees.push_back(schema::MapOf("robots", *robots));
   return config::LoadConfig(layers, config::DataDir());
 }
 
+// Of the robots of a world.
+template <class Of>
+Names NamesOf(const config::Config& config, bool program, const Of& of) {
+  std::vector<Names> names;
+  for (const config::RobotConfig& robot : config.robots) {
+    Names& one = names.emplace_back(of(robot.spec));
+    one.robot = robot.name;
+    one.program = program;
+  }
+  return signals::Joined(std::move(names));
+}
+
+// Of their recordings.
+Names RecordedNamesOf(const config::Config& config, bool program) {
+  Names names = NamesOf(config, program, [](const robot::RobotSpec& spec) {
+    return signals::RecordedNames(spec, WrongField);
+  });
+  names.of_none = !names.robot.empty();
+  return names;
+}
+
+// A ladder leads to one real robot.
+std::vector<StageSpec> StagesOf(const YamlValue& document, const config::Config& config) {
+  const YamlValue* stages = document.Find("stages");
+  if (stages == nullptr) return {};
+  if (config.robots.size() > 1) {
+    throw ConfigError(stages->where + ": stages: only in a scenario of one robot");
+  }
+  return ReadStages(*stages);
+}
+
 YamlValue ReadDocument(const std::filesystem::path& file) {
-  YamlValue document = config::ReadYamlFile(file);
+  YamlValue document = schema::ReadYamlFile(file);
   if (document.kind != Kind::kMap) {
     throw ConfigError(document.where + ": expected a scenario: a mapping with the key expect");
   }
-  RefuseUnknown(document, kScenarioKeys);
+  const schema::Mapping keys(document, ScenarioFields());  // throws for one that is unknown
+  if (document.keys.size() == 1 && document.keys[0].text == "script") {
+    throw ConfigError(document.where + ": this is a script: understudy run ROBOT --script FILE");
+  }
   return document;
 }
 
@@ -243,7 +327,7 @@ config::Config ConfigOf(const Chosen& chosen, const std::filesystem::path& file,
     }
     for (std::size_t i = 0; i < chosen.settings.size(); ++i) {
       const auto& [key, text] = chosen.settings[i];
-      const std::string start = "--set " + config::OneLine(key + "=" + text) + ": ";
+      const std::string start = "--set " + schema::OneLine(key + "=" + text) + ": ";
       if (!what.starts_with(start)) continue;
       throw ConfigError(chosen.plan->axes()[i].where + ": vary: " + what.substr(start.size()));
     }
@@ -271,22 +355,26 @@ Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& 
     if (!scenario.program) scenario.program.emplace();
     scenario.program->command = chosen.options.command;
   }
+  scenario.simulated_clock =
+      IsClockSimulated(document, chosen.options) && scenario.program.has_value();
+  if (scenario.program && scenario.program->think > 0 && !scenario.simulated_clock) {
+    throw ConfigError(document.Find("program")->where + ": program.think: needs clock: simulated");
+  }
   scenario.config = ConfigOf(chosen, file, scenario.program.has_value());
   if (!scenario.program && scenario.config.time.duration <= 0) {
     throw ConfigError(document.where +
                       ": duration: missing; expected seconds, as no program ends the rehearsal");
   }
   if (const YamlValue* script = document.Find("script")) {
-    Names names = signals::RunningNames(scenario.config.robot);
-    names.program = scenario.program.has_value();
-    scenario.script = script::ReadEvents(*script, names);
+    scenario.script = script::ReadEvents(
+        *script, NamesOf(scenario.config, scenario.program.has_value(),
+                         [](const robot::RobotSpec& spec) { return signals::RunningNames(spec); }));
   }
-  Names names = signals::RecordedNames(scenario.config.robot, WrongField);
-  names.program = scenario.program.has_value();
   if (scenario.program) scenario.program->limit = LimitOf(*scenario.program, scenario.config);
   scenario.expect =
-      ExpectationsOf(document, names, scenario.program ? scenario.program->limit : std::nullopt);
-  if (const YamlValue* stages = document.Find("stages")) scenario.stages = ReadStages(*stages);
+      ExpectationsOf(document, RecordedNamesOf(scenario.config, scenario.program.has_value()),
+                     scenario.program ? scenario.program->limit : std::nullopt);
+  scenario.stages = StagesOf(document, scenario.config);
   scenario.plan = std::move(chosen.plan);
   scenario.run = chosen.run;
   scenario.settings = std::move(chosen.settings);
@@ -306,7 +394,7 @@ std::optional<VariedScenario> LoadVaried(const std::filesystem::path& file) {
 }
 
 Plan PlanOf(const std::string& text, const std::string& name) {
-  return Plan(Needed(config::ParseYaml(text, name), "vary"));
+  return Plan(Needed(schema::ParseYaml(text, name), "vary"));
 }
 
 void CheckRuns(const std::filesystem::path& file, const Plan& plan,
@@ -329,9 +417,9 @@ Standard LoadStandard(const std::filesystem::path& file, const std::string& robo
   const YamlValue& document = chosen.document;
   Standard standard;
   std::optional<double> limit;
-  if (document.Find("robot") != nullptr) {
+  if (document.Find("robot") != nullptr || document.Find("robots") != nullptr) {
     standard.config = ConfigOf(chosen, file, true);
-    // A scenario without a duration was played with a program, whoever named it.
+    // A scenario without a duration was played with a program.
     const YamlValue* program = document.Find("program");
     if (program != nullptr || document.Find("scenario") != nullptr) {
       limit = LimitOf(program == nullptr ? Program{} : ReadProgram(*program), standard.config);
@@ -345,21 +433,14 @@ Standard LoadStandard(const std::filesystem::path& file, const std::string& robo
     if (!revision.empty()) layers.sets.push_back("robot.revision=" + revision);
     standard.config = config::LoadConfig(layers, config::DataDir());
   }
-  standard.expect =
-      ExpectationsOf(document, signals::RecordedNames(standard.config.robot, WrongField), limit);
-  if (const YamlValue* stages = document.Find("stages")) standard.stages = ReadStages(*stages);
+  standard.expect = ExpectationsOf(document, RecordedNamesOf(standard.config, true), limit);
+  standard.stages = StagesOf(document, standard.config);
   return standard;
 }
 
 std::string ScenarioReference() {
-  std::string text = "| key | takes | is |\n|---|---|---|\n";
-  const auto add = [&text](const std::string& before, const ScenarioKey& row) {
-    text += "| `" + before + std::string(row.key) + "` | " + std::string(row.takes) + " | " +
-            std::string(row.says) + " |\n";
-  };
-  for (const ScenarioKey& row : kScenarioKeys) add("", row);
-  for (const ScenarioKey& row : kProgramKeys) add("program.", row);
-  return text + StagesReference() + VaryReference();
+  return "| key | takes | is |\n|---|---|---|\n" + schema::MarkdownRows(ScenarioFields()) +
+         schema::MarkdownRows(kProgramKeys, "program.") + StagesReference() + VaryReference();
 }
 
 }  // namespace understudy::rehearse

@@ -1,4 +1,5 @@
-// Reads scenarios: what a rehearsal plays, and what is expected of it (docs/rehearsing.md).
+// Reads scenarios: what a rehearsal plays, and what is expected of it
+// (docs/reference/scenarios.md).
 #pragma once
 
 #include <filesystem>
@@ -9,10 +10,10 @@
 
 #include "config/config.h"
 #include "config/load.h"
-#include "config/yaml_document.h"
 #include "rehearse/expectations.h"
 #include "rehearse/stages.h"
 #include "rehearse/vary.h"
+#include "schema/yaml_document.h"
 #include "script/script.h"
 
 namespace understudy::rehearse {
@@ -24,6 +25,7 @@ struct Program {
   std::optional<double> until{};       // simulated s at which it is ended
   bool kill = false;                   // by SIGKILL; else by SIGTERM, and SIGKILL 0.5 s after that
   std::optional<double> limit{};  // simulated s from its start in which it has to end by itself
+  double think = 0;               // s from the end of a sleep to its next message, on its own clock
 };
 
 struct Scenario {
@@ -33,6 +35,7 @@ struct Scenario {
   config::Config config{};
   script::Script script{};
   std::optional<Program> program{};
+  bool simulated_clock = false;  // of the program
   Expectations expect{};
   std::vector<StageSpec> stages{};  // may be empty
   std::optional<Plan> plan{};       // of a campaign
@@ -45,11 +48,12 @@ struct ScenarioOptions {
   std::vector<std::string> command{};  // of the program under test, in place of the scenario's
   std::vector<std::string> sets{};     // KEY=VALUE
   std::size_t run = 0;                 // of a campaign; 0: none was chosen
+  bool simulated_clock = false;        // also where the scenario does not say so
   std::map<std::string, std::string> typed{};  // as config::Layers has it
 };
 
 // Returns whether a document is a scenario, or only expectations: a mapping with the key `expect`.
-bool IsScenario(const config::YamlValue& document);
+bool IsScenario(const schema::YamlValue& document);
 
 // Reads a scenario; of one with `vary` the run that was chosen, else the first. Such a run has its
 // number as seed unless something gives or varies one. Time is as fast as possible and the network
@@ -69,7 +73,7 @@ std::optional<VariedScenario> LoadVaried(const std::filesystem::path& file);
 // The same of a file that was read before, for the results of a campaign: `name` is for errors.
 Plan PlanOf(const std::string& text, const std::string& name);
 
-// Reads every scenario that Plan::Samples() has of a campaign, so that what is wrong is told before
+// Reads every scenario that Plan::Samples() has of a campaign, so that errors are found before
 // it starts. Throws ConfigError with the number of the run.
 void CheckRuns(const std::filesystem::path& file, const Plan& plan, const ScenarioOptions& options);
 
@@ -77,7 +81,7 @@ void CheckRuns(const std::filesystem::path& file, const Plan& plan, const Scenar
 struct Standard {
   Expectations expect{};
   std::vector<StageSpec> stages{};  // may be empty
-  config::Config config{};          // of the robot
+  config::Config config{};          // of the robot or robots
 };
 
 // Reads only what is expected, of a scenario or of a file with nothing else; of one with `vary` by

@@ -6,17 +6,17 @@
 #include <cstdio>
 #include <utility>
 
+#include "assembly/sight_model.h"
 #include "base/errors.h"
 #include "base/printed.h"
 #include "physics/scene_reader.h"
 #include "rehearse/yaml_values.h"
-#include "run/make_world.h"
 #include "signals/bound_condition.h"
 
 namespace understudy::rehearse {
 namespace {
 
-using config::YamlValue;
+using schema::YamlValue;
 using Kind = YamlValue::Kind;
 
 // *Assumed*: letters, and the bounds of what a stage may ask for.
@@ -24,40 +24,45 @@ constexpr std::size_t kMostStageName = 80;
 constexpr double kMostMargin = 3;   // rad
 constexpr double kMostRate = 1000;  // Hz
 
+using schema::kNumber;
+
 struct StageLimit {
-  std::string_view key;
+  schema::Field field;
   std::optional<double> StageSpec::*value;
-  double most;
-  std::string_view takes, says;
 };
+constexpr schema::Range UpTo(double most) { return {.min = 0, .max = most, .above = true}; }
 constexpr StageLimit kStageLimits[] = {
-    {"torque", &StageSpec::torque, 1, "a share, up to 1", "Of each motor's torque_limit"},
-    {"speed", &StageSpec::speed, 1, "a share, up to 1", "Of each motor's no_load_speed"},
-    {"joint_margin", &StageSpec::joint_margin, kMostMargin, "rad",
-     "That each joint keeps from the ends of its range"},
-    {"command_rate", &StageSpec::command_rate, kMostRate, "Hz",
-     "Of `rt/lowcmd` at least, from its first message until the program ends"},
+    {{"torque", &kNumber, "", UpTo(1), "Share of each motor's torque_limit"}, &StageSpec::torque},
+    {{"speed", &kNumber, "", UpTo(1), "Share of each motor's no_load_speed"}, &StageSpec::speed},
+    {{"joint_margin", &kNumber, "rad", UpTo(kMostMargin),
+      "That each joint keeps from the ends of its range"},
+     &StageSpec::joint_margin},
+    {{"command_rate", &kNumber, "Hz", UpTo(kMostRate),
+      "Of `rt/lowcmd` at least, from its first message until the program ends"},
+     &StageSpec::command_rate},
 };
+
+std::vector<schema::Field> StageFields() {
+  std::vector<schema::Field> fields{
+      {"name", &schema::kTree, "", {}, "Of the stage; needed", "a text"}};
+  for (const StageLimit& limit : kStageLimits) fields.push_back(limit.field);
+  return fields;
+}
 
 StageSpec ReadStage(const YamlValue& value) {
   if (value.kind != Kind::kMap) {
     Refuse(value, "stages", "a stage, as in {name: crawl, torque: 0.5, speed: 0.3}");
   }
-  std::vector<std::string> known{"name"};
-  for (const StageLimit& row : kStageLimits) known.emplace_back(row.key);
-  RefuseOthers(value, known);
+  const std::vector<schema::Field> fields = StageFields();
+  const schema::Mapping keys(value, fields);
   const YamlValue* name = value.Find("name");
   if (name == nullptr) throw ConfigError(value.where + ": stages: name: missing");
   StageSpec stage{.name = LineOf(*name, "name", kMostStageName), .where = value.where};
   bool any = false;
-  for (const StageLimit& row : kStageLimits) {
-    const YamlValue* given = value.Find(row.key);
-    if (given == nullptr) continue;
-    const std::optional<double> number = NumberOf(*given);
-    if (!number || !(*number > 0) || *number > row.most) {
-      Refuse(*given, std::string(row.key), "a number above 0, up to " + Printed("%.6g", row.most));
-    }
-    stage.*row.value = number;
+  for (const StageLimit& limit : kStageLimits) {
+    const auto taken = keys.Take(limit.field.key);
+    if (!taken) continue;
+    stage.*limit.value = taken->number;
     any = true;
   }
   if (!any) {
@@ -88,8 +93,8 @@ class LimitBuilder {
   void Finish(std::size_t stage, const StageLimit& limit, std::optional<double> to) {
     if (one_.leaves.empty()) return;  // no motor has such a limit
     const StageSpec& of = ladder_->stages[stage];
-    one_.name = of.name + ": " + std::string(limit.key);
-    one_.asks = std::string(limit.key) + " " + Printed("%.6g", *(of.*limit.value));
+    one_.name = of.name + ": " + std::string(limit.field.key);
+    one_.asks = std::string(limit.field.key) + " " + Printed("%.6g", *(of.*limit.value));
     one_.where = of.where;
     one_.claim.op = judge::Operator::kAlways;
     one_.claim.formula.op = judge::Op::kAll;
@@ -118,10 +123,10 @@ struct JointEnds {
 
 // The ranges of the joints that motors move, of those that have one.
 std::vector<JointEnds> EndsOf(const config::Config& config) {
-  physics::SceneReader reader([&config] { return run::MakeSightModel(config); });
+  physics::SceneReader reader([&config] { return assembly::SightModel(config).Get(); });
   const physics::Scene scene = reader.Describe();
   std::vector<JointEnds> ends;
-  for (const robot::MotorSpec& motor : config.robot.motors) {
+  for (const robot::MotorSpec& motor : config.robots[0].spec.motors) {
     for (const auto& joint : scene.joints) {
       if (joint.name == motor.joint && joint.limited) {
         ends.push_back({motor.joint, joint.range[0], joint.range[1]});
@@ -142,10 +147,10 @@ std::optional<double> EndOfCommands(const Judged& judged) {
 std::string SettingsOf(const StageSpec& stage, const config::Config& config,
                        const std::vector<JointEnds>& ends) {
   std::string text = "# The limits of stage '" + stage.name + "' (" + stage.where +
-                     "): understudy run " + config.robot.name + " --config FILE\n";
+                     "): understudy run " + config.robots[0].spec.name + " --config FILE\n";
   if (stage.torque || stage.speed) {
     text += "robot:\n  motors:\n";
-    for (const robot::MotorSpec& motor : config.robot.motors) {
+    for (const robot::MotorSpec& motor : config.robots[0].spec.motors) {
       std::string values;
       const auto add = [&values](const char* key, double value) {
         values += std::string(values.empty() ? "" : ", ") + key + ": " + Printed("%.6g", value);
@@ -196,10 +201,10 @@ bool Ladder::Holds(std::size_t stage) const {
   return true;
 }
 
-Ladder JudgeLadder(const record::RecordingReader& reader, const std::vector<StageSpec>& stages,
+Ladder JudgeLadder(const Recordings& recordings, const std::vector<StageSpec>& stages,
                    const config::Config& config, const Judged& judged) {
   Ladder ladder{.stages = stages};
-  const signals::Names names = signals::RecordedNames(config.robot, WrongField);
+  const signals::Names names = signals::RecordedNames(config.robots[0].spec, WrongField);
   std::vector<JointEnds> ends;
   if (std::ranges::any_of(stages,
                           [](const StageSpec& one) { return one.joint_margin.has_value(); })) {
@@ -211,7 +216,7 @@ Ladder JudgeLadder(const record::RecordingReader& reader, const std::vector<Stag
       if (!(stages[i].*limit.value)) continue;
       const double value = *(stages[i].*limit.value);
       std::optional<double> to;
-      if (limit.key == "joint_margin") {
+      if (limit.field.key == "joint_margin") {
         for (const JointEnds& one : ends) {
           if (one.low + value >= one.high - value) {
             throw ConfigError(stages[i].where +
@@ -221,12 +226,12 @@ Ladder JudgeLadder(const record::RecordingReader& reader, const std::vector<Stag
           }
           builder.Add(Within("q(" + one.joint + ")", one.low + value, one.high - value));
         }
-      } else if (limit.key == "command_rate") {
+      } else if (limit.field.key == "command_rate") {
         to = EndOfCommands(judged);
         builder.Add("gap(rt/lowcmd) <= " + Printed("%.6g", 1 / value));
       } else {
-        const bool torque = limit.key == "torque";
-        for (const robot::MotorSpec& motor : config.robot.motors) {
+        const bool torque = limit.field.key == "torque";
+        for (const robot::MotorSpec& motor : config.robots[0].spec.motors) {
           const double most = value * (torque ? motor.torque_limit : motor.no_load_speed);
           if (most <= 0) continue;  // none is known
           builder.Add(Within((torque ? "torque(" : "dq(") + motor.joint + ")", -most, most));
@@ -236,7 +241,7 @@ Ladder JudgeLadder(const record::RecordingReader& reader, const std::vector<Stag
     }
   }
   if (!ladder.expect.list.empty()) {
-    ladder.rulings = JudgeRecording(reader, ladder.expect).rulings;
+    ladder.rulings = JudgeRecordings(recordings, ladder.expect).rulings;
   }
   const bool sound = judged.Count(judge::Outcome::kPassed) == judged.rulings.size();
   while (sound && ladder.held < stages.size() && ladder.Holds(ladder.held)) ++ladder.held;
@@ -257,13 +262,6 @@ std::string LadderText(const Ladder& ladder) {
   return text;
 }
 
-std::string StagesReference() {
-  std::string text = "| `stages[].name` | a text | Of the stage; needed |\n";
-  for (const StageLimit& row : kStageLimits) {
-    text += "| `stages[]." + std::string(row.key) + "` | " + std::string(row.takes) + " | " +
-            std::string(row.says) + " |\n";
-  }
-  return text;
-}
+std::string StagesReference() { return schema::MarkdownRows(StageFields(), "stages[]."); }
 
 }  // namespace understudy::rehearse

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "config/config.h"
-#include "config/yaml_document.h"
 #include "rehearse/judged.h"
+#include "schema/yaml_document.h"
 
 namespace understudy::rehearse {
 
@@ -17,21 +17,21 @@ struct StageSpec {
   std::string name{};
   std::string where{};                   // "walk.yaml:12"
   std::optional<double> torque{};        // share of each motor's torque_limit, above 0 to 1
-  std::optional<double> speed{};         // share of each motor's no_load_speed, likewise
+  std::optional<double> speed{};         // share of each motor's no_load_speed, above 0 to 1
   std::optional<double> joint_margin{};  // rad or m, from both ends of each joint's range
   std::optional<double> command_rate{};  // Hz of rt/lowcmd, at least, from its first message on
 };
 
 // Reads the list under `stages`. Throws ConfigError with file, line, key, what was expected and the
 // nearest word.
-std::vector<StageSpec> ReadStages(const config::YamlValue& list);
+std::vector<StageSpec> ReadStages(const schema::YamlValue& list);
 
 // The limits of the stages, judged.
 struct Ladder {
   std::vector<StageSpec> stages{};
   Expectations expect{};                // one a limit, named "crawl: torque"
   std::vector<std::size_t> stage_of{};  // by expectation
-  std::vector<Ruling> rulings{};        // likewise
+  std::vector<Ruling> rulings{};        // by expectation
   std::size_t held = 0;                 // stages, from the first on, all of whose limits hold
   std::string next_settings{};          // YAML for --config: the limits of the first that does not
                                         // hold, "" if all hold
@@ -41,7 +41,7 @@ struct Ladder {
 
 // Judges the recording of a rehearsal by its stages. No stage holds if one of its expectations,
 // judged in `judged`, failed or is open. Throws RecordError, ModelError.
-Ladder JudgeLadder(const record::RecordingReader& reader, const std::vector<StageSpec>& stages,
+Ladder JudgeLadder(const Recordings& recordings, const std::vector<StageSpec>& stages,
                    const config::Config& config, const Judged& judged);
 
 // Returns "may go up to stage 'crawl', 1 of 3; next is 'walk'".

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -14,37 +15,40 @@
 namespace understudy::rehearse {
 namespace {
 
-using config::YamlValue;
+using schema::YamlValue;
 using Kind = YamlValue::Kind;
 
 // All *assumed*.
 constexpr std::size_t kMostRuns = 1'000'000;
 constexpr std::size_t kMostValues = 10'000;  // of a key
 constexpr std::size_t kLongestValue = 400;   // letters
+constexpr double kMostSeed = std::numeric_limits<int>::max();
 
-struct VaryKey {
-  std::string_view key, takes, says;
-};
-constexpr VaryKey kVaryKeys[] = {
-    {"grid", "a mapping of keys to values", "Every combination; of a range `count` values"},
-    {"list", "a list of mappings", "These runs, all with the same keys"},
-    {"random", "a mapping of keys to values", "Drawn by `seed`, `runs` times, each key on its own"},
-    {"latin", "a mapping of keys to values",
+using schema::Field;
+using schema::kTree;
+using schema::kWhole;
+
+constexpr std::string_view kAxes = "a mapping of keys to values";
+constexpr Field kVaryKeys[] = {
+    {"grid", &kTree, "", {}, "Every combination; of a range `count` values", kAxes},
+    {"list", &kTree, "", {}, "These runs, all with the same keys", "a list of mappings"},
+    {"random", &kTree, "", {}, "Drawn by `seed`, `runs` times, each key on its own", kAxes},
+    {"latin",
+     &kTree,
+     "",
+     {},
      "Drawn as a Latin hypercube: each key's range is cut into `runs` parts, and each part is met "
-     "once"},
-    {"runs", "a whole number", "Draws of `random` or `latin`; needed with them"},
-    {"seed", "a whole number", "Of these draws; 1 unless given"},
+     "once",
+     kAxes},
+    {"runs", &kWhole, "", {1, kMostRuns}, "Draws of `random` or `latin`; needed with them"},
+    {"seed", &kWhole, "", {0, kMostSeed}, "Of these draws; 1 unless given"},
 };
-constexpr std::string_view kRangeKeys[] = {"from", "to", "count", "whole"};
-
-std::size_t CountOf(const YamlValue& value, const std::string& key, std::size_t most) {
-  const std::optional<double> number = NumberOf(value);
-  if (!number || *number != std::floor(*number) || *number < 1 ||
-      *number > static_cast<double>(most)) {
-    Refuse(value, key, "a whole number from 1 to " + std::to_string(most));
-  }
-  return static_cast<std::size_t>(*number);
-}
+constexpr Field kRangeKeys[] = {
+    {.key = "from", .required = true},
+    {.key = "to", .required = true},
+    {"count", &kWhole, "", {1, kMostValues}},
+    {"whole", &schema::kSwitch},
+};
 
 // Six digits, so that the line that repeats a run has all of the value.
 std::string Written(double number) { return Printed("%.6g", number); }
@@ -99,44 +103,29 @@ Axis AxisOf(const YamlValue& key, const YamlValue& value, std::optional<std::siz
     }
     return axis;
   }
-  RefuseOthers(value, {std::begin(kRangeKeys), std::end(kRangeKeys)});
-  const auto bound = [&](const char* name, double* to) {
-    const YamlValue* given = value.Find(name);
-    if (given == nullptr)
-      throw ConfigError(value.where + ": " + key.text + "." + name + ": missing");
-    const std::optional<double> number = NumberOf(*given);
-    if (!number || !std::isfinite(*number)) Refuse(*given, key.text + "." + name, "a number");
-    *to = *number;
-  };
-  bound("from", &axis.low);
-  bound("to", &axis.high);
+  const schema::Mapping keys(value, kRangeKeys, key.text + ".");
+  axis.low = keys.Take("from")->number;
+  axis.high = keys.Take("to")->number;
   if (axis.high < axis.low) {
     throw ConfigError(value.Find("to")->where + ": " + key.text + ".to: is less than from");
   }
   axis.whole = key.text == "seed" || key.text.ends_with(".seed");  // no other number is a seed
-  if (const YamlValue* whole = value.Find("whole")) {
-    if (whole->text != "true" && whole->text != "false") {
-      Refuse(*whole, key.text + ".whole", "true or false");
-    }
-    axis.whole = whole->text == "true";
-  }
+  if (const auto whole = keys.Take("whole")) axis.whole = whole->number != 0;
   constexpr double kGreatestWhole = 0x1p53;
   const bool has_whole_bounds =
       axis.low == std::floor(axis.low) && axis.high == std::floor(axis.high) &&
       std::abs(axis.low) <= kGreatestWhole && std::abs(axis.high) <= kGreatestWhole;
   if (axis.whole && !has_whole_bounds) Refuse(value, key.text, "whole numbers from and to");
-  if (const YamlValue* steps = value.Find("count")) {
-    *count = CountOf(*steps, key.text + ".count", kMostValues);
-  }
+  if (const auto steps = keys.Take("count")) *count = static_cast<std::size_t>(steps->number);
   return axis;
 }
 
 // A drawn order of the numbers below `count`, by the axis.
 std::vector<std::size_t> Shuffled(std::size_t count, const std::string& key, int seed) {
   std::vector<std::pair<double, std::size_t>> places;
-  robot::Dice dice(seed);
+  robot::Randomizer randomizer(seed);
   for (std::size_t i = 0; i < count; ++i) {
-    places.emplace_back(dice.Draw(key, "place " + std::to_string(i), 0, 1), i);
+    places.emplace_back(randomizer.Draw(key, "place " + std::to_string(i), 0, 1), i);
   }
   std::ranges::sort(places);
   std::vector<std::size_t> order;
@@ -186,9 +175,7 @@ Plan::Plan(const YamlValue& vary) {
   if (vary.kind != Kind::kMap) {
     Refuse(vary, "vary", "a mapping, as in {grid: {terrain.friction: [0.3, 0.6, 0.9]}}");
   }
-  std::vector<std::string> known;
-  for (const VaryKey& row : kVaryKeys) known.emplace_back(row.key);
-  RefuseOthers(vary, known);
+  const schema::Mapping keys(vary, kVaryKeys, "vary.");
   const YamlValue* random = vary.Find("random");
   const YamlValue* latin = vary.Find("latin");
   if (random != nullptr && latin != nullptr) {
@@ -209,10 +196,8 @@ Plan::Plan(const YamlValue& vary) {
     }
   } else {
     if (runs == nullptr) throw ConfigError(drawn->where + ": vary.runs: missing; how many draws?");
-    constexpr std::size_t kMostSeed = 2147483647;
-    if (seed != nullptr && seed->text != "0") CountOf(*seed, "vary.seed", kMostSeed);
-    ReadDrawn(*drawn, latin != nullptr, CountOf(*runs, "vary.runs", kMostRuns),
-              seed == nullptr ? 1 : static_cast<int>(*NumberOf(*seed)));
+    ReadDrawn(*drawn, latin != nullptr, static_cast<std::size_t>(keys.Take("runs")->number),
+              static_cast<int>(keys.Take("seed").value_or(schema::Taken{1}).number));
   }
   if (axes_.empty()) {
     throw ConfigError(vary.where + ": vary: expected one of grid, list, random, latin");
@@ -227,7 +212,7 @@ void Plan::Add(Axis axis) {
   if (axis.key.empty() || (axis.key.front() == '$' && !IsPlaceholder(axis.key))) {
     throw ConfigError(axis.where +
                       ": vary: expected a key, or $ and a name of letters, digits and _, got '" +
-                      config::OneLine(axis.key) + "'");
+                      schema::OneLine(axis.key) + "'");
   }
   const auto same = std::ranges::find(axes_, axis.key, &Axis::key);
   if (same != axes_.end()) {
@@ -312,9 +297,9 @@ void Plan::ReadDrawn(const YamlValue& map, bool latin, std::size_t runs, int see
     }
     const std::vector<std::size_t> order =
         latin ? Shuffled(runs, axis.key, seed) : std::vector<std::size_t>();
-    robot::Dice dice(seed);
+    robot::Randomizer randomizer(seed);
     for (std::size_t j = 0; j < runs; ++j) {
-      double share = dice.Draw(axis.key, std::to_string(j), 0, 1);
+      double share = randomizer.Draw(axis.key, std::to_string(j), 0, 1);
       if (latin) share = (static_cast<double>(order[j]) + share) / static_cast<double>(runs);
       draws_[j].push_back(ValueAt(axis, share));
     }
@@ -368,13 +353,6 @@ std::vector<std::size_t> Plan::Samples() const {
   return {samples.begin(), samples.end()};
 }
 
-std::string VaryReference() {
-  std::string text;
-  for (const VaryKey& row : kVaryKeys) {
-    text += "| `vary." + std::string(row.key) + "` | " + std::string(row.takes) + " | " +
-            std::string(row.says) + " |\n";
-  }
-  return text;
-}
+std::string VaryReference() { return schema::MarkdownRows(kVaryKeys, "vary."); }
 
 }  // namespace understudy::rehearse

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/yaml_document.h"
+#include "schema/yaml_document.h"
 
 namespace understudy::rehearse {
 
@@ -22,7 +22,7 @@ struct Setting {
 // Returns "robot=go2 terrain.friction=0.35".
 std::string SettingsText(const std::vector<Setting>& settings);
 
-// As many values of a key are told apart in reports, more numbers by parts of their range;
+// Reports show as many values of a key apart, more numbers by parts of their range;
 // *assumed*.
 inline constexpr std::size_t kMostGroups = 12;
 
@@ -48,7 +48,7 @@ bool IsPlaceholder(std::string_view key);
 class Plan {
  public:
   // Reads `vary`. Throws ConfigError with file, line, key, what was expected and the nearest word.
-  explicit Plan(const config::YamlValue& vary);
+  explicit Plan(const schema::YamlValue& vary);
 
   std::size_t size() const { return size_; }
   // In the order of axes(). `run` is from 1 to size().
@@ -60,21 +60,21 @@ class Plan {
   std::vector<std::size_t> Samples() const;
 
  private:
-  void ReadGrid(const config::YamlValue& map);
-  void ReadList(const config::YamlValue& list);
-  void ReadDrawn(const config::YamlValue& map, bool latin, std::size_t runs, int seed);
+  void ReadGrid(const schema::YamlValue& map);
+  void ReadList(const schema::YamlValue& list);
+  void ReadDrawn(const schema::YamlValue& map, bool latin, std::size_t runs, int seed);
   void Add(Axis axis);
 
   std::vector<Axis> axes_;
   std::size_t of_grid_ = 0, of_list_ = 0;         // axes, which come first; the others are drawn
   std::vector<std::vector<std::string>> points_;  // values of the grid's axes
   std::vector<std::vector<std::string>> rows_;    // of the list, by axis
-  std::vector<std::vector<std::string>> draws_;   // likewise
+  std::vector<std::vector<std::string>> draws_;   // by axis
   std::size_t size_ = 1;
 };
 
 // Returns a value as YAML writes it in one line.
-std::string FlowText(const config::YamlValue& value);
+std::string FlowText(const schema::YamlValue& value);
 
 // Returns the keys of `vary` as rows of Markdown's table of scenario keys.
 std::string VaryReference();

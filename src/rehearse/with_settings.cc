@@ -11,7 +11,7 @@
 namespace understudy::rehearse {
 namespace {
 
-using config::YamlValue;
+using schema::YamlValue;
 
 // Replaces placeholders, and notes which were met.
 class Replacer {
@@ -32,7 +32,7 @@ class Replacer {
       return;
     }
     met_.insert(whole->key);
-    *value = config::ParseYaml(whole->text, value->where, /*numbered=*/false);
+    *value = schema::ParseYaml(whole->text, value->where, /*numbered=*/false);
   }
 
   // Within a text a value stands as its letters, without quotes of YAML.
@@ -47,7 +47,7 @@ class Replacer {
       const Setting* known = Known(word);
       if (known != nullptr) {
         met_.insert(word);
-        const YamlValue value = config::ParseYaml(known->text, word, /*numbered=*/false);
+        const YamlValue value = schema::ParseYaml(known->text, word, /*numbered=*/false);
         replaced += value.kind == YamlValue::Kind::kScalar ? value.text : known->text;
       } else {
         if (IsPlaceholder(word)) unknown_.push_back(word);
@@ -83,7 +83,7 @@ void SetKey(const std::string& key, YamlValue value, YamlValue* map) {
     *old = std::move(value);
     return;
   }
-  const YamlValue tree = config::MapOf(key, std::move(value));
+  const YamlValue tree = schema::MapOf(key, std::move(value));
   map->keys.push_back(tree.keys.front());
   map->items.push_back(tree.items.front());
 }
@@ -107,7 +107,7 @@ YamlValue WithSettings(const YamlValue& document, const Plan& plan,
     const auto& [key, text] = settings[i];
     if (key.front() == '$') continue;
     if (std::ranges::find(kVariedKeys, key) != std::end(kVariedKeys)) {
-      SetKey(key, config::ParseYaml(text, plan.axes()[i].where, /*numbered=*/false), &varied);
+      SetKey(key, schema::ParseYaml(text, plan.axes()[i].where, /*numbered=*/false), &varied);
     } else {
       own.push_back(key + "=" + text);
     }

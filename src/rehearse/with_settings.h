@@ -1,12 +1,12 @@
-// A scenario with what one run of a campaign has.
+// Applies the settings of one run of a campaign to a scenario.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "config/yaml_document.h"
 #include "rehearse/vary.h"
+#include "schema/yaml_document.h"
 
 namespace understudy::rehearse {
 
@@ -18,7 +18,7 @@ inline constexpr std::string_view kVariedKeys[] = {"robot", "revision", "start",
 // it stands. Those of the configuration are left to `sets`, to which they are added as KEY=VALUE.
 // Replaces `$name` in the words of `command`, too; throws ConfigError for one that stands neither
 // there nor in the scenario. A null `command` is one that is not known.
-config::YamlValue WithSettings(const config::YamlValue& document, const Plan& plan,
+schema::YamlValue WithSettings(const schema::YamlValue& document, const Plan& plan,
                                const std::vector<Setting>& settings, std::vector<std::string>* sets,
                                std::vector<std::string>* command);
 

@@ -5,24 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "config/yaml_document.h"
+#include "schema/yaml_reader.h"
 
 namespace understudy::rehearse {
 
-// Throws ConfigError: "stand.yaml:3: key: expected what, got 'value'".
-[[noreturn]] void Refuse(const config::YamlValue& value, const std::string& key,
-                         const std::string& what);
-
-// Throws ConfigError if the mapping has another key than these, with the nearest of them.
-void RefuseOthers(const config::YamlValue& map, const std::vector<std::string>& known);
+using schema::Refuse;
+using schema::RefuseOthers;
 
 // Returns the value of an unquoted number, else nullopt.
-std::optional<double> NumberOf(const config::YamlValue& value);
+std::optional<double> NumberOf(const schema::YamlValue& value);
 
-// Returns simulated seconds from 0 to 1000000. Throws ConfigError.
-double SecondsOf(const config::YamlValue& value, const std::string& key);
+inline constexpr double kLatestTime = 1e6;  // simulated s; *assumed*
+
+// Returns simulated seconds from 0 to kLatestTime. Throws ConfigError.
+double SecondsOf(const schema::YamlValue& value, const std::string& key);
 
 // Returns a text of one line with 1 to `most` bytes. Throws ConfigError.
-std::string LineOf(const config::YamlValue& value, const std::string& key, std::size_t most);
+std::string LineOf(const schema::YamlValue& value, const std::string& key, std::size_t most);
 
 }  // namespace understudy::rehearse

@@ -38,7 +38,7 @@ CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments) {
       "  understudy remote                         for the only robot that runs\n"
       "  understudy remote --name left --gamepad xbox\n"
       "  understudy run go2 --gamepad              robot and gamepad in one\n"
-      "Which button is which, and what a terminal cannot tell: docs/remote.md");
+      "Which button is which, and what a terminal cannot tell: docs/reference/remote.md");
   return remote;
 }
 

@@ -1,4 +1,5 @@
-// Maps the buttons and axes of a gamepad to those of the remote controller (docs/remote.md).
+// Maps the buttons and axes of a gamepad to those of the remote controller
+// (docs/reference/remote.md).
 #pragma once
 
 #include <array>

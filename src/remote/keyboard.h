@@ -1,4 +1,4 @@
-// Maps a terminal's keyboard to the remote controller (docs/remote.md).
+// Maps a terminal's keyboard to the remote controller (docs/reference/remote.md).
 #pragma once
 
 #include <array>

@@ -81,7 +81,7 @@ class Robot {
     return std::move(reply.body);
   }
 
-  client::Connection connection_;
+  client::ControlConnection connection_;
   std::string name_;
   double speed_ = 1;
 };

@@ -12,8 +12,8 @@ struct ArmActionName {
   bool while_walking = false;  // in the states 500 and 501 only
 };
 
-// As a G1 with 29 motors and firmware 1.4.7 lists them (docs/sources.md#arm-actions). Those of one
-// with 23 are fewer: 20, 21, 28 to 30 and 36 need the waist and wrists that it lacks.
+// As a G1 with 29 motors and firmware 1.4.7 lists them (docs/dev/sources.md#arm-actions). Those of
+// one with 23 are fewer: 20, 21, 28 to 30 and 36 need the waist and wrists that it lacks.
 inline constexpr auto kArmActions =
     std::to_array<ArmActionName>({{99, "release_arm"},
                                   {1, "turn_back_wave", true},

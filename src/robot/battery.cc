@@ -13,8 +13,8 @@ namespace {
 // beyond what any robot takes.
 constexpr double kMostPower = 1e9;
 
-// How much lower the end cells are: measured, on two Go2 (docs/sources.md#go2-captures); on other
-// robots *assumed*.
+// How much lower the end cells are: measured, on two Go2 (docs/dev/sources.md#go2-captures); on
+// other robots *assumed*.
 constexpr std::array<double, 2> kEndCells = {0.003, 0.013};  // V
 
 // A number from 0 to 1, equal with every standard library.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "robot/robot_spec.h"
 
@@ -25,5 +27,8 @@ constexpr bool IsBodyCommandTopic(std::string_view topic) {
 }
 // Of the hand of some robot (HandSpec::topic).
 constexpr bool IsHandCommandTopic(std::string_view topic) { return topic.ends_with("/cmd"); }
+
+// Returns the topics of commands to a robot, by number; "" where it has none.
+std::vector<std::string> CommandTopicNames(const RobotSpec& spec);
 
 }  // namespace understudy::robot

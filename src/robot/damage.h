@@ -24,7 +24,7 @@ struct MotorDamage {
 };
 
 // Of a whole robot since its start. What belongs to motors is in motor order.
-struct Damage {
+struct DamageTotals {
   std::vector<MotorDamage> motors;
   double time = 0;          // s
   double energy = 0;        // J given by the pack
@@ -73,7 +73,7 @@ class DamageSheet {
   // The robot has been put somewhere else: the next command does not jump from the last.
   void Restart();
 
-  const Damage& damage() const { return damage_; }
+  const DamageTotals& damage() const { return damage_; }
 
  private:
   // Of a motor, in the step before.
@@ -91,7 +91,7 @@ class DamageSheet {
   std::vector<Before> before_;
   bool down_ = false;
   bool restarted_ = true;
-  Damage damage_;
+  DamageTotals damage_;
 };
 
 }  // namespace understudy::robot

@@ -33,7 +33,7 @@ BusEffects& Bus(const ActingFault& fault, Effects* effects) {
 // *assumed*
 double Wait(const ActingFault& fault, double mean) { return -mean * std::log1p(-fault.chance); }
 
-// Only the go family's messages tell of mainboard and fans.
+// Only the go family's messages report mainboard and fans.
 bool TellsOfBoard(const RobotSpec& spec) { return spec.family == WireFamily::kGo; }
 
 // What is left of a share that goes down to `by`.
@@ -42,6 +42,8 @@ double Left(const ActingFault& fault) { return 1 - fault.grown * (1 - fault.by);
 using F = const ActingFault&;
 using E = Effects*;
 
+// A new row stands at the end: what FaultBank draws for a fault goes by the place of its row, so
+// that the seeded runs of the others stay as they were. Documents sort the rows by component.
 constexpr auto kKinds = std::to_array<FaultKind>({
     {.of = Component::kMotor,
      .name = "limp",
@@ -50,7 +52,7 @@ constexpr auto kKinds = std::to_array<FaultKind>({
     {.of = Component::kMotor,
      .name = "off",
      .does = "It gives no torque and does not answer: its readings stay as they were, its lost "
-             "packets count, its link is told broken",
+             "packets count, its link is reported broken",
      .act =
          [](F f, E e) {
            Motor(f, e).torque_share = 0;
@@ -306,8 +308,9 @@ constexpr auto kKinds = std::to_array<FaultKind>({
      .act = [](F f, E e) { Bus(f, e).delay += Wait(f, f.by * f.grown); }},
     {.of = Component::kFan,
      .name = "off",
-     .does = "It does not turn: the mainboard gets warmer, and it is told stalled where the vendor "
-             "has a bit for it",
+     .does =
+         "It does not turn: the mainboard gets warmer, and it is reported stalled where the vendor "
+         "has a bit for it",
      .act = [](F f, E e) { e->fans[f.element].share = 0; }},
     {.of = Component::kFan,
      .name = "weak",
@@ -333,9 +336,58 @@ constexpr auto kKinds = std::to_array<FaultKind>({
     {.of = Component::kMcu,
      .name = "off",
      .does = "It does not answer: temperatures of the mainboard and speeds of fans stay as they "
-             "were, and that is told",
+             "were, and that is reported",
      .act = [](F, E e) { e->board.mute = true; },
      .fits = TellsOfBoard},
+    {.of = Component::kLidar,
+     .name = "off",
+     .does = "Nothing of it is sent, as with its cable pulled",
+     .act = [](F, E e) { e->lidar.dead = true; }},
+    {.of = Component::kLidar,
+     .name = "blind",
+     .does = "No echo comes back, and its state reports an error of its cloud",
+     .act = [](F, E e) { e->lidar.blind = true; }},
+    {.of = Component::kLidar,
+     .name = "lost",
+     .does = "That share of its echoes is lost",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.1,
+     .act = [](F f, E e) { e->lidar.lost = 1 - (1 - e->lidar.lost) * (1 - f.by * f.grown); }},
+    {.of = Component::kLidar,
+     .name = "dirty",
+     .does = "No echo comes through that share of its window, in patches that stay where they are; "
+             "its state reports that share",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.3,
+     .act = [](F f, E e) { e->lidar.dirt = 1 - (1 - e->lidar.dirt) * (1 - f.by * f.grown); }},
+    {.of = Component::kLidar,
+     .name = "noisy",
+     .does = "Its ranges are spread with that standard deviation, besides their own",
+     .unit = "m",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.05,
+     .act = [](F f, E e) { e->lidar.noise = std::hypot(e->lidar.noise, f.by * f.grown); }},
+    {.of = Component::kCamera,
+     .name = "frozen",
+     .does = "It gives its last picture again and again",
+     .act = [](F f, E e) { e->cameras[f.element].frozen = true; }},
+    {.of = Component::kCamera,
+     .name = "lossy",
+     .does = "That share of its pictures does not come: the call gets no answer",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.1,
+     .act = [](F f, E e) { e->cameras[f.element].lost |= f.chance < f.by * f.grown; }},
+    {.of = Component::kCamera,
+     .name = "dark",
+     .does = "That share of the light does not reach it",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.9,
+     .act = [](F f, E e) { e->cameras[f.element].light *= 1 - f.by * f.grown; }},
 });
 
 struct ComponentNames {
@@ -355,6 +407,8 @@ constexpr std::array<ComponentNames, kComponents> kComponentNames{{
     {"fan", "itself: `fan.front`"},
     {"mainboard", "`mainboard`"},
     {"small controller of the mainboard", "`mcu`"},
+    {"lidar", "`lidar`"},
+    {"camera", "itself: `camera.front`"},
 }};
 
 }  // namespace

@@ -28,9 +28,11 @@ enum class Component : std::uint8_t {
   kFan,
   kMainboard,
   kMcu,
+  kLidar,
+  kCamera,
 };
 
-inline constexpr std::size_t kComponents = 12;
+inline constexpr std::size_t kComponents = 14;
 
 // What is wrong with each part now, as its model reads it. Default values: nothing.
 
@@ -84,8 +86,9 @@ struct LinkEffects {
 };
 
 struct ServiceEffects {
-  bool off = false;  // it neither acts nor answers
-  double delay = 0;  // s of wall time that its answers are late by
+  bool off = false;     // it neither acts nor answers
+  bool absent = false;  // its program does not run yet: nobody reads its requests
+  double delay = 0;     // s of wall time that its answers are late by
 };
 
 struct BusEffects {
@@ -103,6 +106,20 @@ struct BoardEffects {
   double heat_c = 0;  // °C that it is hotter by
 };
 
+struct LidarEffects {
+  bool dead = false;   // says nothing
+  bool blind = false;  // no echo comes back
+  double lost = 0;     // share of echoes
+  double dirt = 0;     // share of its window through which no echo comes back
+  double noise = 0;    // m, standard deviation of a range
+};
+
+struct CameraEffects {
+  bool frozen = false;  // its picture stays as it was
+  bool lost = false;    // a picture that is asked for now does not come
+  double light = 1;     // share of the light that reaches it
+};
+
 struct Effects {
   std::vector<MotorEffects> motors{};  // motor order, as the next
   std::vector<EncoderEffects> encoders{};
@@ -110,11 +127,13 @@ struct Effects {
   std::vector<FootEffects> feet{};   // in RobotSpec::feet order
   BatteryEffects battery{};
   bool remote_off = false;
-  std::vector<LinkEffects> links{};  // those of commands, then those of states
+  std::vector<LinkEffects> links{};  // of commands, then of all that the robot publishes
   std::vector<ServiceEffects> services{};
   std::vector<BusEffects> buses{};  // of BusesOf
   std::vector<FanEffects> fans{};   // in RobotSpec::fans order
   BoardEffects board{};
+  LidarEffects lidar{};
+  std::vector<CameraEffects> cameras{};  // in RobotSpec::cameras order
 };
 
 // A fault as it acts in a tick.

@@ -26,7 +26,8 @@ std::string Number(double number) { return Printed("%g", number); }
 }  // namespace
 
 FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& links,
-                     const std::vector<std::string>& services, int seed)
+                     const std::vector<std::string>& services, int seed,
+                     const std::vector<std::string>& further_links)
     : spec_(spec), seed_(static_cast<std::uint64_t>(seed)), buses_(BusesOf(spec)) {
   const auto motors = AllMotors(spec);
   for (std::size_t i = 0; i < motors.size(); ++i) {
@@ -50,11 +51,19 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
     if (!buses_[i].name.empty()) Add(Component::kBus, i, "bus." + buses_[i].name);
   }
   Add(Component::kMainboard, 0, "mainboard");
-  if (spec.family == WireFamily::kGo) {  // the other's messages tell of none of these
+  if (spec.family == WireFamily::kGo) {  // the other family's messages report none of these
     Add(Component::kMcu, 0, "mcu");
     for (std::size_t i = 0; i < spec.fans.size(); ++i) {
       Add(Component::kFan, i, "fan." + spec.fans[i].name);
     }
+  }
+  // Last: what is drawn goes by the number of a component.
+  for (std::size_t i = 0; i < further_links.size(); ++i) {
+    Add(Component::kTopic, links.size() + i, further_links[i]);
+  }
+  if (HasLidar(spec.lidar)) Add(Component::kLidar, 0, "lidar");
+  for (std::size_t i = 0; i < spec.cameras.size(); ++i) {
+    Add(Component::kCamera, i, "camera." + spec.cameras[i].name);
   }
   faults_.reserve(kMost);
   begun_.reserve(kMost);
@@ -62,10 +71,11 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
   nothing_.motors.resize(motors.size());
   nothing_.encoders.resize(motors.size());
   nothing_.feet.resize(spec.feet.size());
-  nothing_.links.resize(links.size());
+  nothing_.links.resize(links.size() + further_links.size());
   nothing_.services.resize(services.size());
   nothing_.buses.resize(buses_.size());
   nothing_.fans.resize(spec.fans.size());
+  nothing_.cameras.resize(spec.cameras.size());
   effects_ = nothing_;
 }
 
@@ -80,8 +90,8 @@ Result<std::size_t> FaultBank::Find(std::string_view component) const {
   const std::string hint = NearestHint(component, names_);
   return Error{"the robot has no '" + std::string(component) + "'" +
                (hint.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
-                               "remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard or "
-                               "mcu"
+                               "remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard, "
+                               "mcu, lidar or camera.NAME"
                              : hint)};
 }
 
@@ -99,8 +109,8 @@ Result<const FaultKind*> FaultBank::FindKind(std::size_t component, std::string_
     valid += valid.empty() ? "" : ", ";
     valid += row.name;
   }
-  return Error{"no " + std::string(NameOf(of)) + " is ever '" + std::string(kind) +
-               "' (valid: " + valid + ")"};
+  return Error{"'" + std::string(kind) + "' is no fault of a " + std::string(NameOf(of)) +
+               "; valid: " + valid};
 }
 
 Result<Fault> FaultBank::Make(std::string_view component, std::string_view kind, const double* by,

@@ -45,11 +45,12 @@ class FaultBank {
  public:
   static constexpr std::size_t kMost = 64;
 
-  // `links` are the topics of commands and of states, in the order of Effects::links, and
-  // `services` those of Effects::services; those that are "" cannot have faults. `spec` must
-  // outlive the bank.
+  // `links` are the topics of commands and of states and `further_links` those on which services
+  // publish, in the order of Effects::links; `services` are those of Effects::services. What is ""
+  // cannot have faults. `spec` must outlive the bank.
   FaultBank(const RobotSpec& spec, const std::vector<std::string>& links,
-            const std::vector<std::string>& services, int seed);
+            const std::vector<std::string>& services, int seed,
+            const std::vector<std::string>& further_links = {});
 
   // Begins a fault at t [s], in place of one of the same kind of the component. `by`: null for what
   // the kind has. The Error names what was expected and the nearest word.

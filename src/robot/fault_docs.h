@@ -5,7 +5,7 @@
 
 namespace understudy::robot {
 
-// Returns docs/faults.md.
+// Returns docs/reference/faults.md.
 std::string FaultsReference();
 
 }  // namespace understudy::robot

@@ -31,15 +31,14 @@ MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
   return command;
 }
 
-// The angle that the motor follows in place of a commanded one.
-double Followed(double q, const std::array<double, 2>& clamp) {
-  const bool any = clamp[0] == 0 && clamp[1] == 0;
-  return any || q == kNoPosition ? q : std::clamp(q, clamp[0], clamp[1]);
-}
-
 std::size_t Index(int motor) { return static_cast<std::size_t>(motor); }
 
 }  // namespace
+
+double FollowedAngle(double q, const std::array<double, 2>& clamp) {
+  const bool any = clamp[0] == 0 && clamp[1] == 0;
+  return any || q == kNoPosition ? q : std::clamp(q, clamp[0], clamp[1]);
+}
 
 double DesiredTorque(const MotorCommand& command, double q, double dq) {
   if (!command.enabled) return 0;
@@ -134,15 +133,14 @@ void MotorBank::Command(const MotorInstant& now) {
   for (std::size_t i = 0; i < torque_.size(); ++i) {
     MotorCommand motor = Scaled(commands[i], *motors_[i]);
     motor.kd *= kd_share_[i];
-    motor.q = Followed(motor.q, motors_[i]->q_clamp);
+    motor.q = FollowedAngle(motor.q, motors_[i]->q_clamp);
     torque_[i] = DesiredTorque(motor, now.q[i], now.dq[i]);
   }
-  const bool in_motor_space = now.command.joint_space == JointSpace::kMotors;
   for (const ParallelJoint& joint : parallel_) {
     const std::size_t pitch = Index(joint.pitch());
     const std::size_t roll = Index(joint.roll());
     ParallelJoint::Motors tau = joint.TorqueToMotors({torque_[pitch], torque_[roll]});
-    if (in_motor_space) {
+    if (commands[pitch].space == JointSpace::kMotors) {
       const ParallelJoint::Motors x = joint.ToMotors({now.q[pitch], now.q[roll]});
       const ParallelJoint::Motors v = joint.ToMotors({now.dq[pitch], now.dq[roll]});
       tau = {DesiredTorque(Scaled(commands[roll], *motors_[roll]), x.a, v.a),

@@ -21,9 +21,13 @@ namespace understudy::robot {
 //   tau + kp (q_des - q) + kd (dq_des - dq)
 //
 // (unitree_sdk2 example/h1/README; confirmed to 1 % by logs of a real G1,
-// docs/sources.md#motor-law.) kNoPosition and kNoVelocity omit their term. A disabled motor has
+// docs/dev/sources.md#motor-law.) kNoPosition and kNoVelocity omit their term. A disabled motor has
 // torque 0. NaN gives NaN, but CommandGate refuses it before.
 double DesiredTorque(const MotorCommand& command, double q, double dq);
+
+// Returns the angle [rad] that a motor follows in place of a commanded one: kept within `clamp`,
+// which is MotorSpec::q_clamp; {0, 0} is none.
+double FollowedAngle(double q, const std::array<double, 2>& clamp);
 
 // The torque of a motor over its speed: `limit`, which is its current's, and a straight line that
 // passes it at `knee` and ends at `no_load`, which is its voltage's.
@@ -80,13 +84,13 @@ class MotorBank {
   MotorBank(const RobotSpec& spec, double dt);
 
   // Returns the joint torques [N·m] in motor order for one instant, and takes their heat into
-  // account. The span is valid until the next call. In JointSpace::kMotors the parallel pairs
-  // follow their command in motor space. In JointSpace::kPitchRoll, and for other motors, a
-  // commanded q is kept within q_clamp and kd is multiplied by the fitted kd_share (spec.dynamics).
-  // Gains are scaled by the factors of MotorSpec. A motor that is not enabled brakes with its
-  // lock_kd. `strength` and a fault's share of torque act on a motor, of a pair on B in pitch's
-  // place and on A in roll's: it gives less for the same current. Where all together would take
-  // more than the supply's most_power, all give less by one share (*assumed*).
+  // account. The span is valid until the next call. Parallel pairs whose command of pitch is in
+  // JointSpace::kMotors follow it in motor space. In JointSpace::kPitchRoll, and for other motors,
+  // a commanded q is kept within q_clamp and kd is multiplied by the fitted kd_share
+  // (spec.dynamics). Gains are scaled by the factors of MotorSpec. A motor that is not enabled
+  // brakes with its lock_kd. `strength` and a fault's share of torque act on a motor, of a pair on
+  // B in pitch's place and on A in roll's: it gives less for the same current. Where all together
+  // would take more than the supply's most_power, all give less by one share (*assumed*).
   std::span<const double> Step(const MotorInstant& now);
 
   // Returns the torques of the last Step, zeros before.
@@ -140,7 +144,7 @@ class MotorBank {
   // In motor order. A pair's motors B and A take the places of pitch and roll, but for torque_.
   std::vector<double> kd_share_;
   std::vector<TorqueCurve> curves_;
-  std::vector<double> least_v_;    // V, of the bus, below which it is told
+  std::vector<double> least_v_;    // V, of the bus, below which it is reported
   std::vector<double> per_volt_;   // 1/V: share of the rated voltage per volt; 0: any will do
   std::vector<double> own_share_;  // of the joint's torque that loads the motor: 1 / gear
   std::vector<double> cold_loss_;  // W/(N·m)² at 25 °C, of the motor's own torque

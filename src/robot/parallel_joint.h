@@ -9,7 +9,7 @@ namespace understudy::robot {
 // A linear differential, *assumed* (the linkage's lengths are not published; exact at the zero pose
 // of a symmetric mechanism):  A = pitch + ratio · roll,  B = pitch - ratio · roll.  Torques map by
 // the transpose, so power is the same on both sides. On the wire slot `pitch` carries B and slot
-// `roll` carries A (docs/sources.md#parallel-pairs).
+// `roll` carries A (docs/dev/sources.md#parallel-pairs).
 class ParallelJoint {
  public:
   struct Serial {

@@ -43,7 +43,7 @@ struct ProtectionRule {
   double time = 0;   // s that the measure has to be beyond the limit
 };
 
-// All *assumed*; docs/fidelity.md says what is known of each.
+// All *assumed*; docs/reference/fidelity.md says what is known of each.
 struct ProtectionSpec {
   ProtectionRule tilt{Protection::kDamp, 1.2, 0};
   ProtectionRule overspeed{Protection::kWarn, 1.5, 0.02};

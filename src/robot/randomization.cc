@@ -25,29 +25,30 @@ std::int64_t WholePeriod(double hz) {
 
 }  // namespace
 
-double Dice::Draw(std::string_view quantity, std::string_view element, double low, double high) {
+double Randomizer::Draw(std::string_view quantity, std::string_view element, double low,
+                        double high) {
   // fma, because some compilers contract a product and a sum and others do not.
   const double value = std::fma(high - low, Throw(quantity, element), low);
   return Note(quantity, element, std::min(value, high));
 }
 
-double Dice::DrawOr(std::string_view quantity, std::string_view element,
-                    const RandomizationSpec::Limits& limits, double otherwise) {
+double Randomizer::DrawOr(std::string_view quantity, std::string_view element,
+                          const RandomizationSpec::Limits& limits, double otherwise) {
   return limits.empty() ? otherwise : Draw(quantity, element, limits[0], limits[1]);
 }
 
-double Dice::DrawOneOf(std::string_view quantity, const std::vector<double>& values) {
+double Randomizer::DrawOneOf(std::string_view quantity, const std::vector<double>& values) {
   const double place = Throw(quantity, "") * static_cast<double>(values.size());
   return Note(quantity, "", values[static_cast<std::size_t>(place)]);
 }
 
-double Dice::Throw(std::string_view quantity, std::string_view element) const {
+double Randomizer::Throw(std::string_view quantity, std::string_view element) const {
   std::mt19937_64 stream(HashOf(quantity, element) + static_cast<std::uint64_t>(draws_.seed));
   // 53 bits; the standard's distributions differ between libraries.
   return static_cast<double>(stream() >> 11) * 0x1p-53;
 }
 
-double Dice::Note(std::string_view quantity, std::string_view element, double value) {
+double Randomizer::Note(std::string_view quantity, std::string_view element, double value) {
   draws_.values.push_back({std::string(quantity), std::string(element), value});
   return value;
 }
@@ -67,13 +68,15 @@ std::vector<double> PossibleTimesteps(const RandomizationSpec::Limits& limits,
   return steps;
 }
 
-void RandomizeMotors(const RandomizationSpec& ranges, Dice* dice, RobotSpec* robot) {
+void RandomizeMotors(const RandomizationSpec& ranges, const std::string& prefix,
+                     Randomizer* randomizer, RobotSpec* robot) {
   for (MotorSpec* motor : AllMotors(*robot)) {
-    motor->strength *= dice->DrawOr("motor_strength", motor->joint, ranges.motor_strength, 1);
-    motor->kp_scale *= dice->DrawOr("kp", motor->joint, ranges.kp, 1);
-    motor->kd_scale *= dice->DrawOr("kd", motor->joint, ranges.kd, 1);
+    const std::string joint = prefix + motor->joint;
+    motor->strength *= randomizer->DrawOr("motor_strength", joint, ranges.motor_strength, 1);
+    motor->kp_scale *= randomizer->DrawOr("kp", joint, ranges.kp, 1);
+    motor->kd_scale *= randomizer->DrawOr("kd", joint, ranges.kd, 1);
   }
-  robot->dynamics.delay += dice->DrawOr("delay", "", ranges.delay, 0);
+  robot->dynamics.delay += randomizer->DrawOr("delay", prefix, ranges.delay, 0);
 }
 
 }  // namespace understudy::robot

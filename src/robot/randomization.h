@@ -38,10 +38,10 @@ struct Draws {
 
 // Draws uniformly from ranges. A value depends only on seed, quantity, element and range, not on
 // other draws or their order, and is the same on every machine.
-class Dice {
+class Randomizer {
  public:
   // `seed` must not be negative.
-  explicit Dice(int seed) : draws_{.seed = seed, .values = {}} {}
+  explicit Randomizer(int seed) : draws_{.seed = seed, .values = {}} {}
 
   // Draws from [low, high], which must be finite and in order.
   double Draw(std::string_view quantity, std::string_view element, double low, double high);
@@ -65,7 +65,9 @@ class Dice {
 std::vector<double> PossibleTimesteps(const RandomizationSpec::Limits& limits,
                                       const RateSpec& rates);
 
-// Draws strength, gains and delay of the robot's motors.
-void RandomizeMotors(const RandomizationSpec& ranges, Dice* dice, RobotSpec* robot);
+// Draws strength, gains and delay of the robot's motors. `prefix` stands before the names of one of
+// several robots: "left/".
+void RandomizeMotors(const RandomizationSpec& ranges, const std::string& prefix,
+                     Randomizer* randomizer, RobotSpec* robot);
 
 }  // namespace understudy::robot

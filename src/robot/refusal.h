@@ -14,7 +14,7 @@ enum class Refusal : std::uint8_t {
   kModeMachine,      // hg: not that of LowState
   kModePr,           // hg: neither PR (0) nor AB (1)
   kMotorMode,        // a motor's mode byte is unknown
-  kMotorCount,       // hands: not one entry per motor
+  kMotorCount,       // not one entry per motor
   kNotFinite,        // NaN or infinity in a motor's command
   kGain,             // a negative kp or kd
   kMotionService,    // a motion service moves the motors

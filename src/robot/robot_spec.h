@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "robot/protection.h"
+#include "robot/motion_spec.h"
 
 namespace understudy::robot {
 
@@ -42,8 +42,8 @@ struct MotorTypeSpec {
   double casing_time = 600;    // s, of the casing towards the air
 };
 
-// A motor of the body or of a hand. Only the body's have slot and hold gains, only a hand's have
-// lock_kd.
+// A motor of the body or of a hand. Only the body's have slot and q_clamp, only a hand's have
+// lock_kd and span.
 struct MotorSpec {
   std::string joint;         // MJCF joint
   int slot = 0;              // index in LowCmd.motor_cmd and LowState.motor_state
@@ -55,7 +55,7 @@ struct MotorSpec {
   double q_step = 0;         // rad, encoder lattice; 0 = none
   double dq_step = 0;        // rad/s
   double tau_step = 0;       // N·m
-  double hold_kp = 0;        // N·m/rad, gains that hold a start pose
+  double hold_kp = 0;        // N·m/rad, gains that hold a start pose, or of a hand's controllers
   double hold_kd = 0;        // N·m·s/rad
   double zero_error = 0;     // rad that its encoder reads too much
   double armature = 0;       // kg·m², in place of the model's; 0 = the model's
@@ -63,6 +63,8 @@ struct MotorSpec {
   double kp_scale = 1;       // effective over commanded kp
   double kd_scale = 1;       // effective over commanded kd
   double lock_kd = 0;        // N·m·s/rad, damping while not enabled
+  // rad, its angle where q of messages is 0 and where it is 1. 0, 0: q is the angle
+  std::array<double, 2> span{0, 0};
   // rad, least and most commanded q that it follows: what is beyond is taken for the end. 0, 0: any
   std::array<double, 2> q_clamp{0, 0};
 };
@@ -90,8 +92,8 @@ enum class DynamicsSource : std::uint8_t { kCatalogue, kFitted };
 struct FittedDynamicsSpec {
   std::vector<int> slots{};  // the motors
   double armature = -1;      // kg·m² at the joint; below 0: as in the model
-  double damping = -1;       // N·m·s/rad of the joint, likewise
-  double frictionloss = -1;  // N·m of the joint, likewise
+  double damping = -1;       // N·m·s/rad of the joint; below 0: as in the model
+  double frictionloss = -1;  // N·m of the joint; below 0: as in the model
   double kd_share = 1;       // effective over commanded kd
 };
 
@@ -118,18 +120,18 @@ struct BusSpec {
   std::array<double, 2> delay{};  // s that a command takes on it: least and most
 };
 
-// A fan as LowState tells of it; go only.
+// A fan in LowState; go only.
 struct FanSpec {
   std::string name{};
   int place = 0;      // its index in fan_frequency
-  double rpm = 0;     // as told while it turns
+  double rpm = 0;     // reported while it turns
   int stall_bit = 0;  // of fan_frequency[3], set while it does not; 0 = none
 };
 
 // The mainboard's two thermometers, as a Go2's LowState shows them: temperature_ntc1 and ntc2.
 struct BoardSpec {
   double centre_rise_c = 20;   // over the air, with all fans
-  double charger_rise_c = 16;  // likewise
+  double charger_rise_c = 16;  // over the air, with all fans
   double still_air = 1.5;      // times that rise where no fan turns; *assumed*, as the next
   double time_constant = 120;  // s
 };
@@ -139,12 +141,17 @@ struct PadSpec {
   std::vector<int> taxels{};  // indices of its taxels among the message's 12
 };
 
-// A hand with motors and topics.
+// A hand with motors and topics, or two that share them.
 struct HandSpec {
-  std::string name{};   // "left"
-  std::string topic{};  // between rt/ and /cmd, /state; rt/lf/ and /state
-  // In the order of motor_cmd. The index there is the id in the mode byte.
+  std::string name{};                 // "left"
+  std::string law = "dex3";           // a row of kHandLaws, robot/hand_law.h
+  std::vector<std::string> models{};  // MJCF of wrists with hands: absolute, else below models/
+  std::string topic{};                // between rt/ and /cmd, /state; rt/lf/ and /state
+  double hz = 500;                    // of its states
+  // In the order of the messages. The index there is the id in the mode byte.
   std::vector<MotorSpec> motors{};
+  int slot = 0;                 // of its first motor in the messages
+  int slots = 0;                // of the messages; 0: as many as it has motors
   std::vector<PadSpec> pads{};  // in the order of press_sensor_state
   double timeout = 1;           // s without a command after which watched motors lock
   double temperature_c = 0;     // of the pads
@@ -169,7 +176,6 @@ struct PoseSpec {
 struct RateSpec {
   double lowstate_hz = 500;  // rt/lowstate, rt/secondary_imu
   double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate; need divide no other
-  double hand_hz = 500;      // states of hands; assumed
   double lf_hz = 20;         // all rt/lf/*
   double service_hz = 500;   // commands of the motion service
 };
@@ -177,12 +183,14 @@ struct RateSpec {
 // A program on the robot's computer, as robot_state lists it.
 struct ServiceSpec {
   std::string name{};
-  std::string alias{};    // its name in motion_switcher; "" if it moves no motors
-  bool on = true;         // at boot; for motion services motion.service decides
-  bool protect = false;   // cannot be switched on or off
-  std::string since{};    // first firmware that has it; "" = any
-  std::string before{};   // first firmware that no longer has it; "" = none
-  std::string version{};  // as robot_state tells it; "" = not told
+  std::string alias{};                 // its name in motion_switcher; "" if it moves no motors
+  bool on = true;                      // at boot; for motion services motion.service decides
+  bool protect = false;                // cannot be switched on or off
+  std::string since{};                 // first firmware that has it; "" = any
+  std::string before{};                // first firmware that no longer has it; "" = none
+  std::string version{};               // as robot_state tells it; "" = not told
+  std::string controller = "default";  // of a motion service: a row of motion/controllers.cc
+  std::string policy{};                // definition that the controller policy plays: a YAML file
 };
 
 // rt/arm_sdk: commands blended with those of the motion service.
@@ -231,23 +239,53 @@ struct FootSensorSpec {
   double counts_per_newton = 0;
 };
 
+// A lidar with topics below rt/utlidar.
+struct LidarSpec {
+  std::string make = "none";          // a row of perception/lidar_law.h
+  std::string body{};                 // MJCF body that carries it; "": the base
+  Eigen::Vector3d pos{0, 0, 0};       // m, its frame in the body's
+  Eigen::Vector3d rpy{0, 0, 0};       // rad
+  Eigen::Vector3d base_pos{0, 0, 0};  // m, in place of pos in rt/utlidar/cloud_base
+  double noise = 0;                   // m, standard deviation of a range
+  double dropout = 0;                 // share of echoes that are lost
+  std::array<double, 2> range{0, 0};  // m, the nearest and the farthest echo
+};
+
+inline bool HasLidar(const LidarSpec& lidar) { return lidar.make != "none"; }
+// Whether programs on the robot make clouds and maps in the base's frame of what it sees.
+inline bool IsMapped(const LidarSpec& lidar) { return lidar.make == "L1" || lidar.make == "L2"; }
+
+// A camera whose pictures a service gives. Its frame: x along the view, y to the left, z up.
+struct CameraSpec {
+  std::string name;
+  std::string service;             // that gives its pictures, as in rt/api/<service>; "": none
+  std::string body;                // of the model, that carries it; "": the base
+  Eigen::Vector3d pos{0, 0, 0};    // m, its frame in the body's
+  Eigen::Vector3d rpy{0, 0, 0};    // rad
+  int width = 1280, height = 720;  // pixels
+  std::array<double, 2> focal{864, 864};         // pixels, across and down
+  std::array<double, 2> centre{640, 360};        // pixels, the picture of its axis
+  std::array<double, 4> distortion{0, 0, 0, 0};  // k1, k2, p1, p2 (robot/lens.h)
+  int quality = 90;                              // of its JPEGs, 1 to 100
+};
+
 struct BatterySpec {
   int cells = 0;
   double capacity_ah = 0;
   double start_soc = 0.9;  // 0..1
   // V of an unloaded cell at charges of 0, 0.1 ... 1, straight between. Derived: 4.084 V at 93 %
   // and 0.939 A, 3.837 V at 63 % and 3.627 A of two Go2, 3.66 V at 41 % and 2.1 A of a G1, whose
-  // charger ends at 54 V for 13 cells (docs/sources.md#go2-captures, #notes-on-real-robots), with
-  // 10 mohm per cell. *Assumed* below 40 % and between, as cells of that chemistry (NMC) go.
+  // charger ends at 54 V for 13 cells (docs/dev/sources.md#go2-captures, #notes-on-real-robots),
+  // with 10 mohm per cell. *Assumed* below 40 % and between, as cells of that chemistry (NMC) go.
   std::array<double, 11> cell_v = {3.0,  3.42,  3.53,  3.6,   3.67, 3.76,
                                    3.85, 3.925, 3.995, 4.068, 4.154};
   double internal_ohm = 0;      // of the pack
   double idle_a = 0;            // drawn with all motors passive
   double most_a = 0;            // A that it gives at most, as the drives share it; 0 = any
   double cutoff_a = 0;          // A, mean over cutoff_time, beyond which it cuts off; 0 = never
-  double cutoff_v = 0;          // V, likewise of its weakest cell; 0 = never
+  double cutoff_v = 0;          // V, mean of its weakest cell, below which it cuts off; 0 = never
   double cutoff_time = 5;       // s
-  double low_soc = 0.2;         // charge below which it is told to be low
+  double low_soc = 0.2;         // charge below which it is reported as low
   double cell_spread = 0.001;   // V, standard deviation of cells; 0 = all alike
   double rise_per_w_c = 0;      // °C/W, steady rise over the air per W of loss in the pack
   double time_constant = 1800;  // s, of that rise
@@ -265,64 +303,6 @@ struct ThermalSpec {
   double rest_rise_c = 0;  // of an idle motor above ambient
   double derate_c = 105;   // of a winding from which on its motor gives less torque
   double trip_c = 120;     // of a winding at which its motor gives no torque
-};
-
-// The states of a humanoid's motion service, by the vendor's ids; -1 or empty if the robot has no
-// such state.
-struct HumanoidMotionSpec {
-  int lock_stand = -1;            // joints locked, standing
-  std::vector<int> balance{};     // standing balanced; the first is the default
-  int squat = -1;                 // joints locked in squat_q
-  int sit = -1;                   // joints locked in sit_q
-  int arms_balance = -1;          // told for the first of `balance` while rt/arm_sdk moves the arms
-  int protection = -1;            // told in place of damping while protection damps
-  int balanced_squat = -1;        // from standing into squat_q and back, balanced
-  std::vector<int> unplayed{};    // of the real robot, not simulated
-  std::vector<double> squat_q{};  // rad, motor order
-  std::vector<double> sit_q{};
-  bool stand_heights = true;  // whether a request for a stand height has an effect
-  bool arm_actions = false;   // waves, shakes hands ...
-};
-
-// How a quadruped walks. Axes of the vectors are forward and left m/s, turn rad/s.
-struct WalkSpec {
-  std::array<double, 2> period = {0.5, 0.5};  // s of a stride, at rest and at most_speed forwards
-  std::array<double, 2> duty = {0.55, 0.55};  // part of it that a foot stands, likewise
-  double foot_raise = 0.08;                   // m that a swinging foot is lifted by
-  double friction = 0.5;                      // of the ground that it counts on
-  Eigen::Vector3d least_speed{-1, -0.4, -1};  // what it takes of a command
-  Eigen::Vector3d most_speed{1, 0.4, 1};      // likewise
-  Eigen::Vector3d dead_band{0, 0, 0};         // commands within are none
-  Eigen::Vector3d gain{1, 1, 1};              // of the velocity on the command
-  Eigen::Vector3d time_constant{0.4, 0.4, 0.4};  // s in which the velocity follows
-  double dead_time = 0;                          // s until it begins to
-  double turn_scrub = 1;                         // of wheels: how much faster they run in a turn
-  // When in a stride FR FL RR RL touch down, 0 to 1: the gait's, no key.
-  std::array<double, 4> offsets = {0, 0.5, 0.5, 0};
-};
-
-// The parameters of a quadruped's motion service.
-struct QuadrupedMotionSpec {
-  double stand_height = 0;                      // m, of the base over the ground
-  bool stands_up = false;                       // by itself, when its service starts
-  bool gestures_from_lock = false;              // and Sit and Pose: balances first
-  double foot_x = 0;                            // m, of the feet ahead of the hips
-  std::array<double, 2> height_range = {0, 0};  // m about stand_height
-  Eigen::Vector3d euler_range{0, 0, 0};         // rad either way: roll, pitch, yaw
-  Eigen::Vector3d sit{0, 0, 0};  // m ahead, m over stand_height, rad of pitch: of the base
-  double kp = 1;                 // N·m/rad at the legs' joints
-  double kd = 0;                 // N·m·s/rad
-  double damping_kd = 0;         // N·m·s/rad when damped, at all joints
-  double wheel_kp = 0;           // N·m/rad, holds the wheels of a balanced robot
-  double wheel_kd = 0;           // N·m·s/rad, brakes them
-  WalkSpec walk;
-};
-
-// The parameters of the motion service.
-struct MotionSpec {
-  ProtectionSpec protection;
-  HumanoidMotionSpec humanoid;
-  QuadrupedMotionSpec quadruped;
 };
 
 inline constexpr std::size_t kMostHands = 2;
@@ -350,11 +330,15 @@ struct RobotSpec {
   std::vector<BusSpec> buses;
   std::vector<FanSpec> fans;  // go only
   BoardSpec board;
-  std::vector<HandSpec> hands;  // hg only, at most kMostHands
+  std::vector<std::string> hand_makes;  // names of config/hands that it can bear
+  std::string hand_make = "none";       // which it bears, by side (config/hand_choice.h)
+  std::vector<HandSpec> hands;          // hg only, at most kMostHands
   ImuSpec imu;
   EncoderNoiseSpec encoder_noise;
   std::vector<FootSpec> feet;  // FR FL RR RL for quadrupeds: the order of foot_force
   FootSensorSpec foot_sensor;
+  LidarSpec lidar;
+  std::vector<CameraSpec> cameras;
   RateSpec rates;
   std::vector<ServiceSpec> services;
   // Services that answer requests: names of tables, services::kApiNames.

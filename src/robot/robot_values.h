@@ -15,12 +15,19 @@
 
 namespace understudy::robot {
 
-// The vendor's marks for "no position" and "no velocity" (docs/sources.md#motor-law). They omit
+// The vendor's marks for "no position" and "no velocity" (docs/dev/sources.md#motor-law). They omit
 // their term of the motor law for any gain.
 inline constexpr double kNoPosition = 2.146e9;
 inline constexpr double kNoVelocity = 16000.0;
 
-// The command to one motor. Joint side, positive along the MJCF axis.
+// The space of commands to parallel pairs (ankle, waist): `mode_pr` in hg messages.
+enum class JointSpace : std::uint8_t {
+  kPitchRoll = 0,  // PR: the serial joints of the MJCF
+  kMotors = 1,     // AB: the two motors that drive them
+};
+
+// The command to one motor. Joint side, positive along the MJCF axis; of a parallel pair in AB, of
+// the motor itself.
 struct MotorCommand {
   // false: the motor gives no torque for any other fields; a hand's motor is locked and brakes.
   bool enabled = false;
@@ -31,6 +38,7 @@ struct MotorCommand {
   double kd = 0;           // N·m·s/rad
   bool watched = false;    // of a hand: locks when commands stop
   bool timed_out = false;  // of a hand: has locked because commands stopped
+  JointSpace space = JointSpace::kPitchRoll;
 
   friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
 };
@@ -40,18 +48,18 @@ inline bool AsksForAngle(const MotorCommand& command) {
   return command.enabled && command.kp > 0 && command.q != kNoPosition;
 }
 
-// The space of commands to parallel pairs (ankle, waist): `mode_pr` in hg messages.
-enum class JointSpace : std::uint8_t {
-  kPitchRoll = 0,  // PR: the serial joints of the MJCF
-  kMotors = 1,     // AB: the two motors that drive them
-};
+// Whether it gives the motor torque of its own, not only a brake's.
+inline bool AsksForTorque(const MotorCommand& command) {
+  return AsksForAngle(command) ||
+         (command.enabled &&
+          (command.tau != 0 || (command.kd > 0 && command.dq != 0 && command.dq != kNoVelocity)));
+}
 
 // One command in motor order: to the motors of the body or of one hand as received, to all motors
 // as followed.
 struct RobotCommand {
   std::vector<MotorCommand> motors;
-  JointSpace joint_space = JointSpace::kPitchRoll;  // of the body
-  double weight = 0;                                // of rt/arm_sdk: as sent
+  double weight = 0;  // of rt/arm_sdk: as sent
 };
 
 // The reading of one motor. Joint side, signs as in MotorCommand.
@@ -105,6 +113,13 @@ struct BaseReading {
   Eigen::Vector3d v_WB_W{0, 0, 0};  // m/s
 };
 
+// Where a quadruped's lidar programs take its base, B, for; O is the frame `odom`.
+struct LegOdometry {
+  Eigen::Quaterniond R_OB{1, 0, 0, 0};
+  Eigen::Vector3d p_OB{0, 0, 0};    // m
+  Eigen::Vector3d v_OB_B{0, 0, 0};  // m/s
+};
+
 // The state of a motion service.
 struct MotionState {
   int id = 0;  // the vendor's state-machine id: `error_code` of a Go2, `fsm_id` of a humanoid
@@ -117,11 +132,11 @@ struct MotionState {
   int arm_told = 0;          // the same, but 99 after a release until the next action
   bool arm_holding = false;  // humanoids: the arms hold a pose until released
   double body_height = 0;    // m, of the base over its feet
-  // Whether the service estimates the following, as a quadruped's does; else they are 0. World
-  // axes. The position starts at 0 with the service and drifts with every step of the robot.
+  // Whether the service publishes the following, as a quadruped's does; else they are 0, but a
+  // humanoid's v_WB_W. World axes. The position starts at 0 with the service and drifts.
   bool estimates = false;
   Eigen::Vector3d v_WB_W{0, 0, 0};                // m/s, of the base
-  Eigen::Vector3d p_WB{0, 0, 0};                  // m, likewise
+  Eigen::Vector3d p_WB{0, 0, 0};                  // m, of the base
   int gait = 0;                                   // 1 trot, 2 run, 3 for stairs
   double wanted_height = 0;                       // m, as body_height is to be
   double foot_raise = 0;                          // m that its gait lifts a foot by
@@ -151,16 +166,17 @@ struct TrueValues {
 
 // All readings of one instant. Default values before the first sample.
 struct RobotState {
-  std::int64_t tick_ms = 0;          // simulated milliseconds since start
-  std::vector<MotorReading> motors;  // motor order
-  JointSpace joint_space = JointSpace::kPitchRoll;
-  ImuReading imu;                  // of LowState
-  ImuReading secondary_imu;        // if the robot has one
-  std::vector<double> foot_force;  // N, as read, in RobotSpec::feet order
+  std::int64_t tick_ms = 0;                         // simulated milliseconds since start
+  std::vector<MotorReading> motors;                 // motor order
+  JointSpace joint_space = JointSpace::kPitchRoll;  // AB if a motor is commanded in it
+  ImuReading imu;                                   // of LowState
+  ImuReading secondary_imu;                         // if the robot has one
+  std::vector<double> foot_force;                   // N, as read, in RobotSpec::feet order
   BatteryReading battery;
   BoardReading board;
   BaseReading base;
   BaseReading odometry;  // what the robot's own programs take that for, where no service estimates
+  std::optional<LegOdometry> leg_odometry;  // nullopt while no motion service estimates
   TrueValues truth;
   RemoteReading remote;
   std::optional<MotionState> motion;  // nullopt while no motion service is on

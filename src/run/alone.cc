@@ -55,8 +55,8 @@ void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
       alone = false;
       until = std::max(until, now + listen);
     }
-    // Two that start at the same moment both hear nobody. Whoever began first goes on; the other
-    // waits until it writes, or is gone because it could not start after all.
+    // Two that start at the same moment both hear nobody. The one that began first goes on; the
+    // other waits until it writes, or is gone because it could not start after all.
     const std::vector<bus::Neighbour> elders = watch->EldersStarting();
     if (waits && !elders.empty()) {
       if (now >= give_up) {

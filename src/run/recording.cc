@@ -6,17 +6,17 @@
 #include <ctime>
 #include <map>
 #include <optional>
-#include <thread>
 
+#include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
 #include "base/errors.h"
 #include "config/load.h"
 #include "mjcf/compile.h"
+#include "mjcf/join.h"
 #include "mjcf/urdf.h"
 #include "physics/world_reading.h"
-#include "run/make_world.h"
 #include "version.h"
 
 namespace understudy::run {
@@ -42,8 +42,8 @@ std::string DrawnText(const robot::Draws& draws) {
 // Simulated s from one damage sheet to the next; *assumed*.
 constexpr double kSheetEvery = 1;
 
-record::Damage SheetOf(const emulator::World& world) {
-  const emulator::Snapshot snapshot = world.MakeSnapshot();
+record::Damage SheetOf(const emulator::World& world, std::size_t robot) {
+  const emulator::Snapshot snapshot = world.MakeSnapshot(robot);
   record::Damage damage{
       .sheet = snapshot.damage, .trip_c = snapshot.trip_c, .joints = snapshot.motor_names};
   for (const robot::MotorLimits& limits : snapshot.limits) {
@@ -55,29 +55,40 @@ record::Damage SheetOf(const emulator::World& world) {
   return damage;
 }
 
-record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& draws,
-                             const emulator::World& world) {
+// Where the base of a robot stands in the truth.
+record::BaseAddress BaseOf(const physics::World& world, std::size_t robot) {
+  const physics::RobotBody& body = world.robot(robot);
+  if (body.base_position().empty()) return {};
+  return {.qpos = static_cast<std::size_t>(body.base_position().data() - world.data().qpos),
+          .qvel = static_cast<std::size_t>(body.base_velocity().data() - world.data().qvel)};
+}
+
+record::RecordingHead HeadOf(const config::Config& config, std::size_t number,
+                             const robot::Draws& draws, const emulator::World& world) {
+  const config::RobotConfig& robot = config.robots[number];
   std::string motors, slots;
-  for (const robot::MotorSpec& motor : config.robot.motors) {
+  for (const robot::MotorSpec& motor : robot.spec.motors) {
     const char* space = motors.empty() ? "" : " ";
     motors += space + motor.joint;
     slots += space + std::to_string(motor.slot);
   }
   record::RecordingHead head;
-  head.about = {{"robot", config.robot.name},
-                {"revision", config.robot.revision},
-                {"profile", config.profile},
-                {"family", config.robot.family == robot::WireFamily::kGo ? "go" : "hg"},
+  head.about = {{"robot", robot.spec.name},
+                {"revision", robot.spec.revision},
+                {"profile", robot.profile},
+                {"family", robot.spec.family == robot::WireFamily::kGo ? "go" : "hg"},
                 {"motors", motors},
                 {"slots", slots},
                 {"version", kVersion},
                 {"mujoco", mjcf::MujocoVersion()},
                 {"started", Now("%Y-%m-%dT%H:%M:%SZ")},
-                {"speed", std::to_string(config.time.speed)},
                 {"seed", draws.seed < 0 ? "" : std::to_string(draws.seed)},
-                {"sensors_seed", std::to_string(config.sensors.seed)},
+                {"sensors_seed", std::to_string(robot.sensors.seed)},
                 {"draws", DrawnText(draws)}};
-  head.damage = SheetOf(world);
+  if (config.robots.size() > 1) head.about["name"] = robot.name;
+  head.damage = SheetOf(world, number);
+  head.events_of = number;
+  head.base = BaseOf(world.physics(), number);
   return head;
 }
 
@@ -92,23 +103,26 @@ void Log(const std::string& line, bool error) {
 }
 
 // Of a robot that has no equal in URDF there are no topics of ROS.
-std::optional<record::RosRobot> RosRobotOf(const config::Config& config, const mjModel& model,
-                                           std::int64_t every) {
+std::optional<record::RosRobot> RosRobotOf(const config::Config& config, std::size_t number,
+                                           const mjModel& model, std::int64_t every) {
   if (config.recording.ros_hz <= 0) return {};
   try {
+    const config::RobotConfig& own = config.robots[number];
+    // With its names in the model.
+    const robot::RobotSpec spec = mjcf::WithPrefix(config.PrefixOf(own), own.spec);
     std::map<std::string, mjcf::UrdfLimits> limits;
     std::map<std::string, int> motors;
-    for (const robot::MotorSpec* motor : robot::AllMotors(config.robot)) {
+    for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
       motors.try_emplace(motor->joint, static_cast<int>(motors.size()));
       limits[motor->joint] = {.effort = motor->torque_limit, .velocity = motor->no_load_speed};
     }
-    record::RosRobot ros{.tree = mjcf::TreeOf(model, config.robot.base_body)};
+    record::RosRobot ros{.tree = mjcf::TreeOf(model, spec.base_body)};
     for (const mjcf::TreeJoint& joint : ros.tree.joints) {
       const auto motor = motors.find(joint.name);
       ros.motors.push_back(motor == motors.end() ? -1 : motor->second);
     }
-    ros.urdf = mjcf::UrdfOf(model, config.robot.name, ros.tree, limits, mjcf::MeshUse::kBoxes).text;
-    ros.scene = mjcf::SceneShapesOf(model, config.robot.base_body);
+    ros.urdf = mjcf::UrdfOf(model, own.spec.name, ros.tree, limits, mjcf::MeshUse::kBoxes).text;
+    ros.scene = mjcf::SceneShapesOf(model, spec.base_body);
     ros.every = RosEvery(config.recording.ros_hz, config.physics.timestep, every);
     return ros;
   } catch (const ModelError& error) {
@@ -118,60 +132,83 @@ std::optional<record::RosRobot> RosRobotOf(const config::Config& config, const m
 }
 
 // Makes the truth of a robot; sizes do not change during a run.
-void Fill(const emulator::World& world, record::Truth* truth) {
-  const physics::Crane& crane = world.robot().crane();
+void Fill(const emulator::World& world, std::size_t number, record::Truth* truth) {
+  const emulator::Robot& robot = world.robot(number);
+  const physics::Crane& crane = robot.crane();
   truth->step = world.step();
   truth->time = world.time();
   physics::ReadPositions(world.physics(), truth->qpos);
   physics::ReadRates(world.physics(), truth->qvel);
-  truth->tau.assign(world.robot().torque().begin(), world.robot().torque().end());
-  world.physics().robot().FootForces(truth->foot_force);
+  truth->tau.assign(robot.torque().begin(), robot.torque().end());
+  world.physics().robot(number).FootForces(truth->foot_force);
   truth->crane_tension = crane.attached() ? crane.tension() : 0;
 }
 
-record::Moment Prototype(const config::Config& config, const emulator::World& world) {
+record::Moment Prototype(const robot::RobotSpec& spec, const emulator::World& world) {
   const auto zeros = [](std::size_t count) { return std::vector<double>(count); };
   return {.truth = {.qpos = zeros(physics::PositionCount(world.physics())),
                     .qvel = zeros(physics::RateCount(world.physics())),
-                    .tau = zeros(robot::AllMotors(config.robot).size()),
-                    .foot_force = zeros(config.robot.feet.size())}};
+                    .tau = zeros(robot::AllMotors(spec).size()),
+                    .foot_force = zeros(spec.feet.size())}};
 }
 
 }  // namespace
 
-Recording::Recording(const RecordingOptions& options, const bus::Participant& participant,
-                     const config::Config& config, const robot::Draws& draws,
+std::filesystem::path RecordingOf(std::filesystem::path file, const config::Config& config,
+                                  std::size_t robot) {
+  if (config.robots.size() == 1 || file.empty()) return file;
+  return file.replace_filename(file.stem().string() + "_" + config.robots[robot].name +
+                               file.extension().string());
+}
+
+Recording::Recording(const RecordingOptions& options, std::size_t robot,
+                     const bus::Participant& participant, const config::Config& config,
+                     const robot::Draws& draws, std::shared_ptr<const assembly::SightModel> sight,
                      emulator::World* world)
-    : participant_(participant),
+    : robot_(robot),
+      participant_(participant),
       config_(config),
+      sight_(std::move(sight)),
       world_(*world),
       audience_(options.audience),
-      head_(HeadOf(config, draws, *world)),
-      moment_(Prototype(config, *world)),
+      head_(HeadOf(config, robot, draws, *world)),
+      moment_(Prototype(config.robots[robot].spec, *world)),
       every_(std::max<std::int64_t>(
-          1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))),
+          1, std::llround(
+                 1 / (config.robots[robot].spec.rates.lowstate_hz * config.physics.timestep)))),
       sheet_every_(std::max<std::int64_t>(1, std::llround(kSheetEvery / config.physics.timestep))) {
   if (!options.file.empty()) {
-    recorder_ = Start(options.file, options.overwrite, 0);
+    recorder_ = Start({.file = options.file, .overwrite = options.overwrite, .config = config});
     file_ = options.file;
     spdlog::info("recording to {}", options.file.string());
   }
   if (audience_ != nullptr) return;
-  world_.recording().Open(recorder_ != nullptr);
+  world_.recording(robot_).Open(recorder_ != nullptr);
   thread_ = std::jthread([this](const std::stop_token& stop) { Work(stop); });
 }
 
-std::unique_ptr<record::Recorder> Recording::Start(std::filesystem::path file, bool overwrite,
-                                                   std::int64_t first_step) const {
-  record::OutputFile output(std::move(file), overwrite);
+// With what requests have changed since the start.
+config::Config Recording::ConfigInEffect() const {
+  config::Config config = config_;
+  config::TakeSettings(world_.settings(), &config);
+  for (std::size_t i = 0; i < config.robots.size(); ++i) {
+    config::TakeSettings(world_.robot(i).settings(), &config.robots[i]);
+  }
+  config.time.speed = world_.pace().speed;
+  return config;
+}
+
+std::unique_ptr<record::Recorder> Recording::Start(const Job& job) const {
+  record::OutputFile output(job.file, job.overwrite);
   record::RecordingHead head = head_;
-  head.config = config::PrintConfig(config_, false);
-  const mjcf::ModelHandle model = MakeSightModel(config_);
+  head.about["speed"] = std::to_string(job.config.time.speed);
+  head.config = config::PrintConfig(job.config, false);
+  const std::shared_ptr<const mjModel> model = sight_->Get();
   head.model = mjcf::ModelBytes(*model);
-  head.ros = RosRobotOf(config_, *model, every_);
+  head.ros = RosRobotOf(job.config, robot_, *model, every_);
   return std::make_unique<record::Recorder>(
       participant_, std::move(output), head, &world_.events(), moment_,
-      std::chrono::nanoseconds(std::llround(config_.physics.timestep * 1e9)), first_step, &Log,
+      std::chrono::nanoseconds(std::llround(config_.physics.timestep * 1e9)), job.first_step, &Log,
       audience_);
 }
 
@@ -182,7 +219,7 @@ void Recording::Work(const std::stop_token& stop) {
     if (turn_ == Turn::kThreads) {
       try {
         const bool finishes = job_.recorder != nullptr;
-        job_.recorder = finishes ? nullptr : Start(job_.file, job_.overwrite, job_.first_step);
+        job_.recorder = finishes ? nullptr : Start(job_);
       } catch (const std::exception& error) {
         job_.why = error.what();
       }
@@ -192,22 +229,26 @@ void Recording::Work(const std::stop_token& stop) {
   }
 }
 
-bool Recording::Follow() {
+bool Recording::TakeTurn() {
   if (turn_ == Turn::kThreads) return false;
   if (turn_ == Turn::kTicks) {
     End();
     return true;
   }
-  if (const auto* order = world_.recording().order()) Begin(*order);
+  if (const auto* order = world_.recording(robot_).order()) Begin(*order);
   return false;
 }
 
 void Recording::Begin(const emulator::RecordingOrder& order) {
   if (order.starts) {
-    const std::string own = config_.robot.name + "_" + Now("%Y-%m-%d_%H-%M-%S") + ".mcap";
+    const std::string own = (config_.robots.size() == 1 ? robot().spec.name : robot().name) + "_" +
+                            Now("%Y-%m-%d_%H-%M-%S") + ".mcap";
     const std::string_view asked = order.file.data();
     file_ = std::filesystem::absolute(asked.empty() ? std::string_view(own) : asked);
-    job_ = {.file = file_, .overwrite = order.overwrite, .first_step = world_.step()};
+    job_ = {.file = file_,
+            .overwrite = order.overwrite,
+            .first_step = world_.step(),
+            .config = ConfigInEffect()};
   } else {
     OfferDamage();
     const bool failed = recorder_->status().state == emulator::RecordingState::kFailed;
@@ -225,13 +266,15 @@ void Recording::End() {
   const std::string file = file_.string();
   recorder_ = std::move(job_.recorder);
   if (recorder_ == nullptr) file_.clear();
-  emulator::RecordingDesk& desk = world_.recording();
+  emulator::RecordingDesk& desk = world_.recording(robot_);
   if (!job_.why.empty()) {
-    world_.events().Add(emulator::EventKind::kRecordingFailed, 0, {}, job_.why);
+    world_.events().Add(emulator::EventKind::kRecordingFailed, static_cast<std::uint8_t>(robot_),
+                        {}, job_.why);
     return desk.Done(false, Error{job_.why});
   }
   const bool on = recorder_ != nullptr;
-  world_.events().Add(emulator::EventKind::kRecording, 0, {on ? 1.0 : 0.0}, file);
+  world_.events().Add(emulator::EventKind::kRecording, static_cast<std::uint8_t>(robot_),
+                      {on ? 1.0 : 0.0}, file);
   desk.Done(on, {});
 }
 
@@ -247,25 +290,32 @@ void Recording::OfferDamage() {
   record::DamageMoment* moment = recorder_->ClaimDamage();
   if (moment == nullptr) return;
   moment->damage.step = world_.step();
-  moment->damage.sheet = world_.robot().damage();
+  moment->damage.sheet = world_.robot(robot_).damage();
   recorder_->CommitDamage();
   sheet_step_ = world_.step();
 }
 
-void Recording::Offer(const time::Pacer& pacer) {
-  if (recorder_ == nullptr) return;
+bool Recording::AllowsStep() const {
+  return recorder_ == nullptr || world_.pace().speed != 0 || !recorder_->behind();
+}
+
+std::optional<ExitCode> Recording::After(const Cycle& cycle) {
+  if (cycle.ticked && recorder_ != nullptr) Offer();
+  turned_ = TakeTurn();
+  return {};
+}
+
+void Recording::Offer() {
   recorder_->Mark(world_.step() - 1);
   if (world_.step() % every_ == 0) {
     if (record::Moment* moment = recorder_->Claim(); moment != nullptr) {
-      Fill(world_, &moment->truth);
+      Fill(world_, robot_, &moment->truth);
       recorder_->Commit();
     }
   }
   if (world_.step() % sheet_every_ == 0) OfferDamage();
-  if (pacer.speed() != 0) return;
-  if (audience_ != nullptr && world_.step() % kHeardEvery == 0) recorder_->CatchUp();
-  while (recorder_->behind()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  if (audience_ != nullptr && world_.pace().speed == 0 && world_.step() % kHeardEvery == 0) {
+    recorder_->CatchUp();
   }
 }
 

@@ -1,19 +1,21 @@
-// Connects the loop to the recorder.
+// Records a run, or parts of it.
 #pragma once
 
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <semaphore>
 #include <string>
 #include <thread>
 
+#include "assembly/sight_model.h"
 #include "bus/participant.h"
 #include "config/config.h"
 #include "emulator/world.h"
 #include "record/recorder.h"
 #include "robot/randomization.h"
-#include "time/pacer.h"
+#include "run/loop.h"
 
 namespace understudy::run {
 
@@ -27,26 +29,35 @@ struct RecordingOptions {
   record::Audience* audience = nullptr;
 };
 
-// The recording of a run: of all of it if it is given a file, and, but for one with an audience, of
-// any part of it that requests ask for. Files are opened and finished in a thread of its own.
-class Recording {
+// Returns the file of a robot's recording: of several robots walk.mcap is walk_NAME.mcap.
+std::filesystem::path RecordingOf(std::filesystem::path file, const config::Config& config,
+                                  std::size_t robot);
+
+// The recording of a robot's run: of all of it if it is given a file, and, but for one with an
+// audience, of any part of it that requests ask for. Files are opened and finished in a thread of
+// its own.
+class Recording final : public Attachment {
  public:
-  // Call it after ports and services have opened their topics. `config` is that of the run; `world`
-  // has made no step yet. All must outlive the recording. Throws RecordError and BusError.
-  Recording(const RecordingOptions& options, const bus::Participant& participant,
-            const config::Config& config, const robot::Draws& draws, emulator::World* world);
+  // Of a robot by its number in the world. Call it after ports and services have opened their
+  // topics. `config` is that of the run; `world` has made no step yet. All must outlive the
+  // recording. Throws RecordError and BusError.
+  Recording(const RecordingOptions& options, std::size_t robot, const bus::Participant& participant,
+            const config::Config& config, const robot::Draws& draws,
+            std::shared_ptr<const assembly::SightModel> sight, emulator::World* world);
   // Offers the damage sheet once more, and takes what is left. The loop has ended.
-  ~Recording();
+  ~Recording() override;
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
-  // Offers the state after a tick. Never waits or allocates, except that a run as fast as possible
-  // waits for the recorder.
-  void Offer(const time::Pacer& pacer);
+  // A run as fast as possible does not run away from its recorder.
+  bool AllowsStep() const override;
 
-  // Carries out what requests have asked for. Call it between ticks. Never waits. Returns whether
-  // one is done: its answer goes out with the next tick, so show the status before.
-  bool Follow();
+  // Offers the state after a tick and carries out what requests have asked for.
+  std::optional<ExitCode> After(const Cycle& cycle) override;
+
+  // Whether a recording has begun or ended in the last cycle. The request is answered in the next
+  // one, so post the status before.
+  bool turned() const { return turned_; }
 
   emulator::RecordingStatus status() const;
 
@@ -56,20 +67,27 @@ class Recording {
     std::filesystem::path file{};
     bool overwrite = false;
     std::int64_t first_step = 0;
+    config::Config config{};                       // in effect when it is started
     std::unique_ptr<record::Recorder> recorder{};  // that is to be finished, or was started
     std::string why{};                             // it could not be started, if not ""
   };
   enum class Turn : std::uint8_t { kNobodys, kThreads, kTicks };
 
-  std::unique_ptr<record::Recorder> Start(std::filesystem::path file, bool overwrite,
-                                          std::int64_t first_step) const;
+  config::Config ConfigInEffect() const;
+  std::unique_ptr<record::Recorder> Start(const Job& job) const;
+  void Offer();
+  bool TakeTurn();
   void Begin(const emulator::RecordingOrder& order);
   void End();
   void Work(const std::stop_token& stop);
   void OfferDamage();
 
+  const config::RobotConfig& robot() const { return config_.robots[robot_]; }
+
+  std::size_t robot_;
   const bus::Participant& participant_;
   const config::Config& config_;
+  std::shared_ptr<const assembly::SightModel> sight_;
   emulator::World& world_;
   record::Audience* audience_;
   record::RecordingHead head_;  // but for configuration and model
@@ -79,7 +97,8 @@ class Recording {
   std::int64_t sheet_step_ = 0;  // of the last one
   std::unique_ptr<record::Recorder> recorder_;
   std::filesystem::path file_;  // that is being written
-  Job job_;                     // of whoever's turn it is
+  bool turned_ = false;
+  Job job_;  // belongs to the one whose turn it is
   std::atomic<Turn> turn_{Turn::kNobodys};
   std::counting_semaphore<> wake_{0};
   std::jthread thread_;  // last: it uses all of the above

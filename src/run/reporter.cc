@@ -1,5 +1,7 @@
 #include "run/reporter.h"
 
+#include <utility>
+
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
@@ -11,29 +13,20 @@ namespace {
 using emulator::EventLevel;
 using std::chrono::milliseconds;
 
-void Log(const emulator::ToldEvent& told) {
-  switch (told.level()) {
-    case EventLevel::kSilent:
-      return;
-    case EventLevel::kInfo:
-      return spdlog::info("{}", told.text());
-    case EventLevel::kWarning:
-      return spdlog::warn("{}", told.text());
-    case EventLevel::kError:
-      return spdlog::error("{}", told.text());
-  }
-}
-
 }  // namespace
 
-Reporter::Reporter(const emulator::EventRing* events, double expected_hz, bool status_line)
-    : events_(events), expected_hz_(expected_hz), status_line_(status_line) {}
+Reporter::Reporter(const emulator::EventRing* events, double expected_hz, bool status_line,
+                   std::vector<std::string> names)
+    : events_(events),
+      expected_hz_(expected_hz),
+      names_(std::move(names)),
+      status_line_(status_line) {}
 
 Reporter::~Reporter() {
   LogEvents(updated_at_);
   const double seconds = std::chrono::duration<double>(updated_at_).count();
-  for (const emulator::ToldEvent& told : digest_.Rest()) Say(told, seconds);
-  for (const emulator::ToldEvent& told : slowness_.Rest()) Log(told);
+  for (const emulator::ToldEvent& told : digest_.Flush()) Say(told, seconds);
+  for (const emulator::ToldEvent& told : slowness_.Flush()) Log(told);
   if (line_drawn_) WriteToStandardError("\r\033[K");
 }
 
@@ -50,6 +43,21 @@ void Reporter::LogEvents(WallTime now) {
   }
   for (const emulator::ToldEvent& told : digest_.Due(seconds)) Say(told, seconds);
   for (const emulator::ToldEvent& told : slowness_.Due(seconds)) Log(told);
+}
+
+void Reporter::Log(const emulator::ToldEvent& told) const {
+  const bool of_robot = !names_.empty() && !emulator::IsOfWorld(told.event.kind);
+  const std::string text = (of_robot ? names_[told.event.robot] + ": " : "") + told.text();
+  switch (told.level()) {
+    case EventLevel::kSilent:
+      return;
+    case EventLevel::kInfo:
+      return spdlog::info("{}", text);
+    case EventLevel::kWarning:
+      return spdlog::warn("{}", text);
+    case EventLevel::kError:
+      return spdlog::error("{}", text);
+  }
 }
 
 void Reporter::Say(const emulator::ToldEvent& told, double now) {

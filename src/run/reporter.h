@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <string>
+#include <vector>
 
 #include "emulator/status.h"
 #include "emulator/told_event.h"
@@ -13,8 +15,10 @@ namespace understudy::run {
 class Reporter {
  public:
   // `events` must outlive the reporter. `expected_hz` is the number of LowState samples per
-  // simulated second; `status_line` redraws a line on standard error.
-  Reporter(const emulator::EventRing* events, double expected_hz, bool status_line);
+  // simulated second; `status_line` redraws a line on standard error. Lines on a robot begin with
+  // its name, by its number in `names`; empty: with none.
+  Reporter(const emulator::EventRing* events, double expected_hz, bool status_line,
+           std::vector<std::string> names = {});
   ~Reporter();  // logs events held back and clears the status line
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
@@ -25,6 +29,7 @@ class Reporter {
 
  private:
   void LogEvents(WallTime now);
+  void Log(const emulator::ToldEvent& told) const;
   // Logs it, or keeps it if it is a slow machine's.
   void Say(const emulator::ToldEvent& told, double now);
   void DrawStatusLine(const emulator::Status& status, WallTime now);
@@ -33,6 +38,7 @@ class Reporter {
   emulator::EventDigest digest_{1.0};
   emulator::EventDigest slowness_{60.0};  // s, *assumed*
   double expected_hz_;
+  std::vector<std::string> names_;
   bool status_line_;
   bool line_drawn_ = false;
   WallTime updated_at_{};

@@ -1,13 +1,14 @@
-// Reads scripts: YAML lists of events for a robot, and what they wait for (docs/scripts.md).
+// Reads scripts: YAML lists of events for a robot, and what they wait for
+// (docs/reference/scripts.md).
 #pragma once
 
 #include <filesystem>
 #include <vector>
 
-#include "config/yaml_document.h"
 #include "emulator/script.h"
 #include "emulator/world.h"
-#include "signals/watch.h"
+#include "schema/yaml_document.h"
+#include "signals/condition_watch.h"
 
 namespace understudy::script {
 
@@ -19,15 +20,17 @@ struct Script {
 };
 
 // Returns whether a document is a script: a mapping with the key `script`.
-bool IsScript(const config::YamlValue& document);
+bool IsScript(const schema::YamlValue& document);
 
 // Read the events of a list, or of the document or file `script: [...]`, for a robot that has these
-// names. Throw ConfigError with file, line, key, what was expected and what was found.
-Script ReadEvents(const config::YamlValue& list, const signals::Names& names);
-Script ReadScript(const config::YamlValue& document, const signals::Names& names);
+// names; in a world of several an event names its robot. Throw ConfigError with file, line, key,
+// what was expected and what was found.
+Script ReadEvents(const schema::YamlValue& list, const signals::Names& names);
+Script ReadScript(const schema::YamlValue& document, const signals::Names& names);
 Script LoadScript(const std::filesystem::path& file, const signals::Names& names);
 
-// Has a world that has made no tick yet play a script, as World::Play does.
+// Has a world that has made no tick yet play a script, as World::Play does. Throws ConfigError too
+// where a condition is about the base of a robot whose base is fixed.
 void Play(const Script& script, emulator::World* world);
 
 }  // namespace understudy::script

@@ -19,10 +19,10 @@ FootSensors::FootSensors(const SensorConfig& config, const std::vector<robot::Fo
   }
   offsets_.resize(drawn_offsets_.size());
   gains_.resize(drawn_gains_.size());
-  Follow(config);
+  Apply(config);
 }
 
-void FootSensors::Follow(const SensorConfig& config) {
+void FootSensors::Apply(const SensorConfig& config) {
   walk_ = config.foot.walk * std::sqrt(dt_);
   const std::size_t feet = offsets_.size();
   for (std::size_t i = 0; i < feet; ++i) {

@@ -19,7 +19,7 @@ class FootSensors {
   FootSensors(const SensorConfig& config, const std::vector<robot::FootSpec>& feet, double dt);
 
   // Goes on with other errors: what was drawn is scaled, walks stay. Allocates nothing.
-  void Follow(const SensorConfig& config);
+  void Apply(const SensorConfig& config);
   // Takes the walks back.
   void Restart();
   // Advances the walks by dt.

@@ -31,10 +31,10 @@ ImuUnit::ImuUnit(const SensorConfig& config, const robot::ImuSpec& spec, const s
       noise_(config.seed, stream + 1),
       filter_(config.imu.attitude_gain, config.imu.attitude_trim, dt),
       late_(static_cast<std::size_t>(std::llround(config.imu.latency / dt)) + 1) {
-  Follow(config);
+  Apply(config);
 }
 
-void ImuUnit::Follow(const SensorConfig& config) {
+void ImuUnit::Apply(const SensorConfig& config) {
   config_ = config;
   const ImuErrors& errors = config.imu;
   pass_ = errors.bandwidth > 0 ? -std::expm1(-2 * std::numbers::pi * errors.bandwidth * dt_) : 1;

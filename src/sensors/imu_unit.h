@@ -33,7 +33,7 @@ class ImuUnit {
   void Restart(const robot::ImuReading& truth, const Eigen::Vector3d& gravity_W);
   // Goes on with other errors: what was drawn is scaled, walks and filters stay where they are.
   // Seed, latency and where the attitude comes from must be the same. Allocates nothing.
-  void Follow(const SensorConfig& config);
+  void Apply(const SensorConfig& config);
   // Reads the truth of an instant, dt after the one before, in air of `ambient_c` [°C].
   void Step(const robot::ImuReading& truth, const robot::ImuEffects& fault, double ambient_c);
   // Writes what the unit says now; leaves `imu` while it is stuck.

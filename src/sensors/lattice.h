@@ -1,4 +1,4 @@
-// The lattice on which a sensor tells its figures.
+// Rounds to a sensor's resolution.
 #pragma once
 
 #include <cmath>

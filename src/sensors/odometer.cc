@@ -19,10 +19,10 @@ Odometer::Odometer(const SensorConfig& config, double dt)
       drawn_(Drawn(config.seed, "odometer.scale", "x", 1),
              Drawn(config.seed, "odometer.scale", "y", 1)),
       noise_(config.seed, kOdometerStream) {
-  Follow(config);
+  Apply(config);
 }
 
-void Odometer::Follow(const SensorConfig& config) {
+void Odometer::Apply(const SensorConfig& config) {
   scale_ = config.odometer.scale * drawn_;
   walk_ = config.odometer.walk * std::sqrt(dt_);
 }
@@ -34,7 +34,7 @@ void Odometer::Restart(const robot::BaseReading& truth) {
 
 void Odometer::Step(const robot::BaseReading& truth, const Eigen::Quaterniond& R_WI,
                     const Eigen::Quaterniond& told_R_WI) {
-  // Each error is added to the truth, so that without any it is told bit for bit.
+  // Each error is added to the truth, so that without any the reading is the truth bit for bit.
   const Vector2d v = truth.v_WB_W.head<2>();
   const Vector2d ahead = HeadingOf(R_WI), left(-ahead.y(), ahead.x());
   Vector2d told = v + scale_.x() * ahead.dot(v) * ahead + scale_.y() * left.dot(v) * left;

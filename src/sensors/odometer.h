@@ -1,5 +1,5 @@
-// The odometry that a robot's own programs tell: where the base is and how fast, by the legs and
-// the inertial unit.
+// The odometry that a robot's own programs publish: position and velocity of the base, from the
+// legs and the inertial unit.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -20,10 +20,10 @@ class Odometer {
   Odometer(const SensorConfig& config, double dt);
 
   // Goes on with other errors; what it has added up stays.
-  void Follow(const SensorConfig& config);
+  void Apply(const SensorConfig& config);
   // Begins anew at the truth.
   void Restart(const robot::BaseReading& truth);
-  // Takes the truth dt after the one before, with the unit's attitude as it is and as it is told.
+  // Takes the truth dt after the one before, with the unit's true attitude and its reading.
   void Step(const robot::BaseReading& truth, const Eigen::Quaterniond& R_WI,
             const Eigen::Quaterniond& told_R_WI);
   const robot::BaseReading& reading() const { return told_; }
@@ -34,7 +34,7 @@ class Odometer {
   Eigen::Vector2d scale_{0, 0};  // error of the way ahead and to the left, as a share
   double walk_ = 0;              // m, standard deviation of a step
   Noise noise_;
-  Eigen::Vector2d off_{0, 0};  // m, what is told less the truth
+  Eigen::Vector2d off_{0, 0};  // m, the reading less the truth
   robot::BaseReading told_;
 };
 

@@ -44,9 +44,15 @@ struct ThermometerErrors {
   double offset_c = 0;       // °C, drawn per motor
 };
 
+// Where the odometry of a quadruped's lidar programs comes from.
+enum class OdometrySource : std::uint8_t { kTruth, kEstimate };
+
 struct OdometerErrors {
   double scale = 0;  // drawn ahead and to the left, share of the way
   double walk = 0;   // m/sqrt(s), random walk of the position
+  OdometrySource legs = OdometrySource::kTruth;
+  double shortfall = 0;  // of an estimate by legs: share of the way that it misses
+  double turn = 0;       // of the same: share of each turn that its heading is off by
 };
 
 struct SensorConfig {

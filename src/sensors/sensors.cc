@@ -29,52 +29,55 @@ std::vector<double> EncoderZeros(const SensorConfig& config, const robot::RobotS
 Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec, double dt)
     : spec_(spec),
       motors_(robot::AllMotors(spec)),
-      grains_(motors_.size()),
+      resolutions_(motors_.size()),
       foot_force_(spec.feet.size()),
       imu_(config, spec.imu, "imu", kImuStream, dt),
       secondary_imu_(config, spec.imu, "secondary_imu", kSecondaryImuStream, dt),
       odometer_(config, dt),
+      legs_(config),
       feet_(config, spec.feet, dt),
       windings_(config, JointsOf(spec), dt),
       casings_(config, JointsOf(spec), dt),
       body_(config.seed, kBodyStream),
       hands_(config.seed, kHandsStream) {
-  FollowGrain(config);
+  ApplyNoise(config);
 }
 
 void Sensors::Restart(const Instant& instant) {
   imu_.Restart(instant.robot.Imu(), instant.robot.gravity());
   secondary_imu_.Restart(instant.robot.SecondaryImu(), instant.robot.gravity());
   odometer_.Restart(instant.robot.base());
+  legs_.Restart(instant.robot.base());
   feet_.Restart();
   windings_.Restart(instant.motors.winding_c());
   casings_.Restart(instant.motors.casing_c());
   Step(instant);
 }
 
-void Sensors::Follow(const SensorConfig& config) {
-  FollowGrain(config);
-  imu_.Follow(config);
-  secondary_imu_.Follow(config);
-  odometer_.Follow(config);
-  feet_.Follow(config);
-  windings_.Follow(config);
-  casings_.Follow(config);
+void Sensors::Apply(const SensorConfig& config) {
+  ApplyNoise(config);
+  imu_.Apply(config);
+  secondary_imu_.Apply(config);
+  odometer_.Apply(config);
+  legs_.Apply(config);
+  feet_.Apply(config);
+  windings_.Apply(config);
+  casings_.Apply(config);
 }
 
-void Sensors::FollowGrain(const SensorConfig& config) {
+void Sensors::ApplyNoise(const SensorConfig& config) {
   const robot::EncoderNoiseSpec& noise = spec_.encoder_noise;
-  const auto grain = [&config](double steps, double step, double besides = 0) {
+  const auto resolution = [&config](double steps, double step, double besides = 0) {
     const double sigma = std::hypot(steps * step, besides);
-    return Grain{.noisy = config.noise && sigma > 0,
-                 .sigma = config.noise_gain * sigma,
-                 .step = config.quantise ? step : 0};
+    return Resolution{.noisy = config.noise && sigma > 0,
+                      .sigma = config.noise_gain * sigma,
+                      .step = config.quantise ? step : 0};
   };
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     const robot::MotorSpec& motor = *motors_[i];
-    grains_[i] = {.q = grain(noise.q_steps, motor.q_step),
-                  .dq = grain(noise.dq_steps, motor.dq_step),
-                  .tau = grain(noise.tau_steps, motor.tau_step, noise.tau)};
+    resolutions_[i] = {.q = resolution(noise.q_steps, motor.q_step),
+                       .dq = resolution(noise.dq_steps, motor.dq_step),
+                       .tau = resolution(noise.tau_steps, motor.tau_step, noise.tau)};
   }
 }
 
@@ -92,26 +95,27 @@ void Sensors::Step(const Instant& instant) {
   casings_.Step(instant.motors.casing_c());
 }
 
-void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotState* state) {
-  state->tick_ms = tick_ms;
-  state->joint_space = instant.command.joint_space;
+void Sensors::Sample(const Instant& instant, robot::RobotState* state) {
+  state->joint_space = robot::JointSpace::kPitchRoll;
   state->motors.resize(motors_.size());
   const std::span<const double> q = instant.encoders.q(), dq = instant.encoders.dq();
   const std::span<const double> torque = instant.motors.torque();
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    const MotorGrain& grain = grains_[i];
+    const MotorResolution& resolution = resolutions_[i];
     Noise* const noise = i < spec_.motors.size() ? &body_ : &hands_;
+    const robot::MotorCommand& command = instant.command.motors[i];
+    if (command.space == robot::JointSpace::kMotors) state->joint_space = command.space;
     robot::MotorReading& reading = state->motors[i];
     reading.silent = instant.faults.motors[i].silent;
     if (reading.silent || instant.faults.motors[i].unheard) {
       ++reading.lost;
       continue;
     }
-    reading.enabled = instant.command.motors[i].enabled;
-    reading.timed_out = instant.command.motors[i].timed_out;
-    reading.q = Told(q[i], grain.q, noise);
-    reading.dq = Told(dq[i], grain.dq, noise);
-    reading.tau = Told(torque[i], grain.tau, noise);
+    reading.enabled = command.enabled;
+    reading.timed_out = command.timed_out;
+    reading.q = Sampled(q[i], resolution.q, noise);
+    reading.dq = Sampled(dq[i], resolution.dq, noise);
+    reading.tau = Sampled(torque[i], resolution.tau, noise);
     reading.winding_c = windings_.reading_c(i);
     reading.casing_c = casings_.reading_c(i);
     reading.warm = instant.motors.derated(i);
@@ -141,11 +145,12 @@ void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotS
   state->board = instant.board.reading();
   state->base = instant.robot.base();
   state->odometry = odometer_.reading();
+  state->leg_odometry = legs_.Read(*state);
 }
 
-double Sensors::Told(double truth, const Grain& grain, Noise* noise) {
-  if (grain.noisy) truth += grain.sigma * (*noise)();
-  return grain.step > 0 ? OnLattice(truth, grain.step) : truth;
+double Sensors::Sampled(double truth, const Resolution& resolution, Noise* noise) {
+  if (resolution.noisy) truth += resolution.sigma * (*noise)();
+  return resolution.step > 0 ? OnLattice(truth, resolution.step) : truth;
 }
 
 }  // namespace understudy::sensors

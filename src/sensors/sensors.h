@@ -7,14 +7,15 @@
 #include "physics/robot_body.h"
 #include "robot/battery.h"
 #include "robot/board.h"
-#include "robot/encoders.h"
 #include "robot/fault.h"
 #include "robot/motor.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 #include "sensors/chance.h"
+#include "sensors/encoders.h"
 #include "sensors/foot_sensors.h"
 #include "sensors/imu_unit.h"
+#include "sensors/leg_odometer.h"
 #include "sensors/odometer.h"
 #include "sensors/sensor_config.h"
 #include "sensors/thermometers.h"
@@ -28,7 +29,7 @@ std::vector<double> EncoderZeros(const SensorConfig& config, const robot::RobotS
 // What there is to be measured.
 struct Instant {
   const physics::RobotBody& robot;
-  const robot::Encoders& encoders;
+  const Encoders& encoders;
   const robot::MotorBank& motors;
   const robot::RobotCommand& command;  // that the motors followed
   const robot::Battery& battery;
@@ -36,8 +37,8 @@ struct Instant {
   const robot::Effects& faults;
 };
 
-// Reads every instant and tells some of them. Call Restart before anything else, Step once a
-// physics step and Sample after it where somebody is told; all after World::EndStep, when all
+// The robot's sensors. Call Restart first, Step in every physics step, and Sample after it when a
+// message is due; all after World::EndStep, when all
 // readings of robot, motors and battery belong to the same t. Without errors, noise and
 // quantisation the sample is the truth. Equal seeds and worlds give bit-identical samples.
 // Allocates only in the constructor and in the first Sample into a state.
@@ -54,32 +55,32 @@ class Sensors {
   // Goes on with other errors from the next step on: what was drawn is scaled, walks, filters and
   // noise go on from where they are. All but seed, imu.latency, imu.attitude and encoder may
   // differ. Allocates nothing.
-  void Follow(const SensorConfig& config);
+  void Apply(const SensorConfig& config);
   void Step(const Instant& instant);
-  // Fills `state`, which has the sample before, for time tick_ms [ms]. Leaves state->remote and
-  // state->motion.
-  void Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotState* state);
+  // Fills `state`, which has the previous sample. Leaves its tick_ms, remote and motion.
+  void Sample(const Instant& instant, robot::RobotState* state);
 
  private:
-  // How one figure of a motor is told: with white noise of that standard deviation, on a lattice.
-  struct Grain {
+  // Noise and resolution of one figure of a motor: white noise of that standard deviation.
+  struct Resolution {
     bool noisy = false;
-    double sigma = 0, step = 0;  // 0: no lattice
+    double sigma = 0, step = 0;  // 0: not rounded
   };
-  struct MotorGrain {
-    Grain q, dq, tau;
+  struct MotorResolution {
+    Resolution q, dq, tau;
   };
 
-  void FollowGrain(const SensorConfig& config);
-  static double Told(double truth, const Grain& grain, Noise* noise);
+  void ApplyNoise(const SensorConfig& config);
+  static double Sampled(double truth, const Resolution& resolution, Noise* noise);
 
   const robot::RobotSpec& spec_;
   std::vector<const robot::MotorSpec*> motors_;
-  std::vector<MotorGrain> grains_;
+  std::vector<MotorResolution> resolutions_;
   std::vector<double> foot_force_;  // N
   ImuUnit imu_, secondary_imu_;
   robot::ImuReading told_imu_;  // of LowState, of the last step
   Odometer odometer_;
+  LegOdometer legs_;
   FootSensors feet_;
   Thermometers windings_, casings_;
   Noise body_, hands_;

@@ -13,10 +13,10 @@ Thermometers::Thermometers(const SensorConfig& config, const std::vector<std::st
   for (const std::string& name : names) {
     drawn_.push_back(Drawn(config.seed, "thermometer.offset_c", name, 1));
   }
-  Follow(config);
+  Apply(config);
 }
 
-void Thermometers::Follow(const SensorConfig& config) {
+void Thermometers::Apply(const SensorConfig& config) {
   const double inertia = config.thermometer.time_constant;
   share_ = inertia > 0 ? -std::expm1(-dt_ / inertia) : 1;
   for (std::size_t i = 0; i < drawn_.size(); ++i) {

@@ -19,7 +19,7 @@ class Thermometers {
   Thermometers(const SensorConfig& config, const std::vector<std::string>& names, double dt);
 
   // Goes on with other errors. Allocates nothing.
-  void Follow(const SensorConfig& config);
+  void Apply(const SensorConfig& config);
   // Begins anew as if it had been as warm for long; temperatures [°C] in the order of the names,
   // which may be followed by others.
   void Restart(std::span<const double> temperatures_c);

@@ -59,15 +59,15 @@ bool NeedsToken(const HttpRequest& request) {
          path.starts_with("/recordings");
 }
 
-bool HasToken(const HttpRequest& request, const std::string& token) {
+}  // namespace
+
+bool HasToken(const HttpRequest& request, const AccessRules& access) {
   constexpr std::string_view kScheme = "Bearer ";
   if (request.authorization.starts_with(kScheme)) {
-    return Equal(request.authorization.substr(kScheme.size()), token);
+    return Equal(request.authorization.substr(kScheme.size()), access.token);
   }
-  return request.upgrade && Equal(QueryValue(request, "token").value_or(""), token);
+  return request.upgrade && Equal(QueryValue(request, "token").value_or(""), access.token);
 }
-
-}  // namespace
 
 std::string RandomToken() {
   std::array<std::uint8_t, 16> bytes{};
@@ -83,7 +83,7 @@ std::string RandomToken() {
   return token;
 }
 
-std::optional<HttpReply> RefusalOf(const HttpRequest& request, const Access& access) {
+std::optional<HttpReply> RefusalOf(const HttpRequest& request, const AccessRules& access) {
   if (!MayBeCalled(NameOf(request.host), access.address)) {
     return ErrorReply(403, "Host: expected localhost or " + access.address + ", got \"" +
                                std::string{request.host.substr(0, 64)} + "\"");
@@ -92,7 +92,7 @@ std::optional<HttpReply> RefusalOf(const HttpRequest& request, const Access& acc
     return ErrorReply(403, "Origin: expected that of the panel itself, got \"" +
                                std::string{request.origin.substr(0, 64)} + "\"");
   }
-  if (NeedsToken(request) && !HasToken(request, access.token)) {
+  if (NeedsToken(request) && !HasToken(request, access)) {
     HttpReply reply =
         ErrorReply(401, "this needs the token of the address that the robot says at its start");
     reply.fields.emplace_back("WWW-Authenticate", "Bearer");

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
 #include "idl/type_table.h"
+#include "wire/unserved.h"
+#include "wire/who_serves.h"
 
 namespace understudy::server {
 namespace {
@@ -85,6 +88,8 @@ ordered_json BusJson(const std::vector<bus::Endpoint>& endpoints,
                      const std::map<std::string, bus::TopicTraffic>& traffic, double at) {
   std::map<std::string, std::vector<const bus::Endpoint*>> by_topic;
   for (const bus::Endpoint& one : endpoints) by_topic[one.topic].push_back(&one);
+  std::set<std::string> unserved;
+  for (const wire::Unserved& one : wire::UnservedIn(endpoints)) unserved.insert(one.topic);
   ordered_json topics = ordered_json::array();
   for (const auto& [topic, its] : by_topic) {
     const auto counts = traffic.find(topic);
@@ -95,7 +100,8 @@ ordered_json BusJson(const std::vector<bus::Endpoint>& endpoints,
                       {"sent", sum.sent},
                       {"received", sum.received},
                       {"endpoints", told},
-                      {"mismatches", MismatchesJson(its)}});
+                      {"mismatches", MismatchesJson(its)},
+                      {"unserved", unserved.contains(topic) ? wire::WhoWouldSend(topic) : ""}});
   }
   return {{"at", at}, {"topics", topics}};
 }
@@ -104,8 +110,8 @@ HttpReply BusView::Get(std::chrono::nanoseconds now) {
   if (participant_ == nullptr) return ErrorReply(404, "this robot is on no bus");
   if (text_.empty() || now >= made_ + kFresh) {
     try {
-      // Made anew each time: discovery tells a new reader all it knows, and one that nobody polls
-      // would gather whoever comes and goes.
+      // Made anew each time: discovery gives a new reader all it knows, and one that nobody polls
+      // would gather every endpoint that comes and goes.
       bus::EndpointSurvey survey(*participant_, bus::SurveyOf::kAll);
       survey.Poll();
       std::vector<bus::Endpoint> endpoints = survey.endpoints();

@@ -17,10 +17,11 @@ namespace understudy::server {
 //                  "reliable": true, "durable": false, "exclusive": false, "deadline": false,
 //                  "xcdr1": true, "partition": ""}],
 //   "mismatches": [{"writer": "process 12 (python3)", "reader": "this robot", "why": "type
-//   ..."}]}]}
+//   ..."}], "unserved": ""}]}
 // by name. `at` is wall time [s] of a clock that does not jump, `sent` and `received` what the
 // robot wrote and got since its start. Two participants are a mismatch if no writer of the one
-// matches any reader of the other.
+// matches any reader of the other. `unserved` says who would serve a topic that
+// others read and nobody writes, or that robots have, others write and nobody reads; else it is "".
 nlohmann::ordered_json BusJson(const std::vector<bus::Endpoint>& endpoints,
                                const std::map<std::string, bus::TopicTraffic>& traffic, double at);
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/beast/core.hpp>
@@ -35,22 +36,33 @@ class Connections {
  public:
   // `access` is null if every client may do everything. `most` is the highest number of
   // connections.
-  Connections(const Access* access, std::size_t most) : access_(access), most_(most) {}
+  Connections(const AccessRules* access, std::size_t most) : access_(access), most_(most) {}
 
-  const Access* access() const { return access_; }
+  const AccessRules* access() const { return access_; }
   bool full() const { return open_.size() >= most_; }
+  // Whether the rest of the places is for clients with the token, and for short requests.
+  bool crowded() const { return strangers_.size() >= most_ - most_ / 4; }
 
   void Add(std::shared_ptr<Connection> connection) {
     Connection* const key = connection.get();
     open_.emplace(key, std::move(connection));
     key->Begin();
   }
-  void Remove(Connection* connection) { open_.erase(connection); }
+  // A WebSocket that has not shown the token.
+  void AddStranger(std::shared_ptr<Connection> connection) {
+    strangers_.insert(connection.get());
+    Add(std::move(connection));
+  }
+  void Remove(Connection* connection) {
+    strangers_.erase(connection);
+    open_.erase(connection);
+  }
 
  private:
-  const Access* access_;
+  const AccessRules* access_;
   std::size_t most_;
   std::unordered_map<Connection*, std::shared_ptr<Connection>> open_;
+  std::unordered_set<Connection*> strangers_;  // of `open_`
 };
 
 // How often the server looks for new events; *assumed*: faster than visible.

@@ -10,8 +10,10 @@ void EventHistory::Update(std::chrono::nanoseconds now) {
   if (!reader_) return;
   const double seconds = std::chrono::duration<double>(now).count();
   for (emulator::Event event; reader_->Next(&event);) {
+    if (event.robot != robot_ && !emulator::IsOfWorld(event.kind)) continue;
     ++counts_[static_cast<std::size_t>(event.kind)];
     if (event.kind == emulator::EventKind::kUnmatched) ++unmatched_[event.text.data()];
+    if (event.kind == emulator::EventKind::kUnserved) unserved_.push_back(event);
     if (const auto told = digest_.Take(event, seconds)) Add(*told);
   }
   for (const emulator::ToldEvent& told : digest_.Due(seconds)) Add(told);
@@ -28,6 +30,18 @@ ordered_json EventJson(const KnownEvent& event) {
           {"time", told.event.time}, {"robot", told.event.robot},
           {"kind", told.kind()},     {"level", emulator::Name(told.level())},
           {"text", told.text()},     {"detail", told.detail()}};
+}
+
+ordered_json UnservedJson(const EventHistory& history) {
+  ordered_json topics = ordered_json::array();
+  for (const emulator::Event& event : history.unserved()) {
+    const emulator::ToldEvent told{.event = event, .count = 1};
+    topics.push_back({{"topic", event.text.data()},
+                      {"reads", event.numbers[0] != 0},
+                      {"process", static_cast<int>(event.numbers[1])},
+                      {"text", told.text()}});
+  }
+  return topics;
 }
 
 ordered_json EventsJson(const EventHistory& history) {

@@ -26,8 +26,9 @@ class EventHistory {
  public:
   static constexpr std::size_t kMost = 256;  // events that are kept; *assumed*
 
-  // `events` must outlive it; null: no events.
-  explicit EventHistory(const emulator::EventRing* events = nullptr) {
+  // Of a robot and its world. `events` must outlive it; null: no events.
+  explicit EventHistory(const emulator::EventRing* events = nullptr, std::size_t robot = 0)
+      : robot_(robot) {
     if (events != nullptr) reader_.emplace(events);
   }
 
@@ -40,23 +41,30 @@ class EventHistory {
   // Returns the number of events of each kind since the start, including all of a burst.
   const std::array<std::uint64_t, emulator::kEventKinds>& counts() const { return counts_; }
   // Returns the number of writers that do not match a topic, by who they are and why not, as the
-  // events have it. A run tells of a bounded number.
+  // events have it. A run reports a bounded number.
   const std::map<std::string, std::uint64_t>& unmatched() const { return unmatched_; }
+  // Returns the topics that programs wait for, or write, in vain, as events tell them.
+  const std::vector<emulator::Event>& unserved() const { return unserved_; }
 
  private:
   void Add(const emulator::ToldEvent& told);
 
+  std::size_t robot_;
   std::optional<emulator::EventRing::Reader> reader_;
   emulator::EventDigest digest_{1.0};
   std::deque<KnownEvent> newest_;
   std::uint64_t next_ = 0;
   std::array<std::uint64_t, emulator::kEventKinds> counts_{};
   std::map<std::string, std::uint64_t> unmatched_;
+  std::vector<emulator::Event> unserved_;
 };
 
 // {"number": 3, "step": 20, "time": 0.02, "robot": 0, "kind": "refused", "level": "warning",
 // "text": "refused ...", "detail": {...}}; `level` is "" for events that are not logged.
 nlohmann::ordered_json EventJson(const KnownEvent& event);
+// The topics of EventHistory::unserved: [{"topic": "rt/utlidar/cloud", "reads": true, "process":
+// 12, "text": ...}], in the order in which they were found.
+nlohmann::ordered_json UnservedJson(const EventHistory& history);
 // {"events": [...]}, oldest first.
 nlohmann::ordered_json EventsJson(const EventHistory& history);
 

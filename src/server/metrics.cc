@@ -46,6 +46,9 @@ std::string Label(std::string_view name, std::string_view value) {
 // Writes the families of metrics.
 class Page {
  public:
+  // All samples have the label `common`, "" for none.
+  explicit Page(std::string common) : common_(std::move(common)) {}
+
   void Family(std::string_view name, std::string_view type, std::string_view help) {
     name_ = "understudy_" + std::string{name};
     text_ += "# HELP " + name_ + " " + std::string{help} + "\n# TYPE " + name_ + " " +
@@ -53,12 +56,10 @@ class Page {
   }
   // Adds a sample to the family.
   void Add(double value, const std::string& labels = "", std::string_view suffix = "") {
-    text_ += name_ + std::string{suffix} + (labels.empty() ? "" : "{" + labels + "}") + " " +
-             Text(value) + "\n";
+    Put(Text(value), labels, suffix);
   }
   void Add(std::uint64_t value, const std::string& labels = "", std::string_view suffix = "") {
-    text_ += name_ + std::string{suffix} + (labels.empty() ? "" : "{" + labels + "}") + " " +
-             std::to_string(value) + "\n";
+    Put(std::to_string(value), labels, suffix);
   }
 
   void Counter(std::string_view name, std::string_view help, std::uint64_t value) {
@@ -85,6 +86,13 @@ class Page {
   std::string Take() { return std::move(text_); }
 
  private:
+  void Put(const std::string& value, const std::string& labels, std::string_view suffix) {
+    const std::string all = common_ + (common_.empty() || labels.empty() ? "" : ",") + labels;
+    text_ +=
+        name_ + std::string{suffix} + (all.empty() ? "" : "{" + all + "}") + " " + value + "\n";
+  }
+
+  std::string common_;
   std::string name_;
   std::string text_;
 };
@@ -180,10 +188,12 @@ void AddBattery(const robot::BatteryReading& battery, Page* page) {
 
 std::string MetricsText(const RobotIdentity& identity, const emulator::Status& status,
                         const emulator::Snapshot& snapshot, const EventHistory& events) {
-  Page page;
+  // One of several robots is known by its name, in all samples.
+  const bool alone = identity.name.empty();
+  Page page(alone ? "" : Label("robot", identity.name));
   page.Family("info", "gauge", "Which robot this is; always 1.");
-  page.Add(std::uint64_t{1},
-           Label("robot", identity.robot) + "," + Label("version", identity.version));
+  page.Add(std::uint64_t{1}, Label(alone ? "robot" : "type", identity.robot) + "," +
+                                 Label("version", identity.version));
   AddPace(status, &page);
   AddCommands(status, snapshot, &page);
   AddEvents(events, &page);

@@ -59,12 +59,8 @@ int Listen(Address* address, int port) {
   return -1;
 }
 
-int ListenAtFree(Address* address, int before) {
-  if (before != 0) {
-    const int fd = Listen(address, before);
-    if (fd >= 0) return fd;
-  }
-  for (int port = kFirstPanelPort; port < kFirstPanelPort + kPanelPorts; ++port) {
+int ListenAtFree(Address* address, int first) {
+  for (int port = first; port < first + kPanelPorts; ++port) {
     const int fd = Listen(address, port);
     if (fd >= 0 || errno != EADDRINUSE) return fd;
   }
@@ -81,15 +77,20 @@ std::string TextOf(const std::string& address, int family) {
 
 }  // namespace
 
-PanelSocket::PanelSocket(const std::string& address, int port, const PanelPlace& before)
-    : token_(before.token.empty() ? RandomToken() : before.token) {
+PanelSocket::PanelSocket(const std::string& address, int port, int domain) : token_(RandomToken()) {
   Address bound = Parse(address);
   family_ = bound.storage.ss_family;
   address_ = TextOf(address, family_);
-  fd_ = port == 0 ? ListenAtFree(&bound, before.port) : Listen(&bound, port);
+  fd_ = port == 0 ? ListenAtFree(&bound, kFirstPanelPort + domain) : Listen(&bound, port);
   if (fd_ < 0) {
-    throw SocketError("control.address " + address + ", control.port " + std::to_string(port) +
-                      ": " + std::generic_category().message(errno) + "; --no-panel goes without");
+    const std::string where =
+        "control.address " + address + ", control.port " + std::to_string(port);
+    throw SocketError(errno == EADDRINUSE
+                          ? where +
+                                ": the port is in use; take another, or start without a panel: "
+                                "--no-panel"
+                          : where + ": " + std::generic_category().message(errno) +
+                                "; --no-panel starts without a panel");
   }
   ::getsockname(fd_, reinterpret_cast<sockaddr*>(&bound.storage), &bound.size);
   port_ = ntohs(PortOf(&bound));

@@ -5,22 +5,16 @@
 
 namespace understudy::server {
 
-inline constexpr int kFirstPanelPort = 7707;  // *assumed*: free on most machines
+inline constexpr int kFirstPanelPort = 7707;  // of domain 0; *assumed*: free on most machines
 inline constexpr int kPanelPorts = 256;       // ports to try; after them any free port is used
-
-// An address that a panel had: its port, and the token that writing needs.
-struct PanelPlace {
-  int port = 0;       // 0: none
-  std::string token;  // "": none
-};
 
 // Listens from construction to destruction, in the network namespace in which it was made.
 class PanelSocket {
  public:
-  // With `port` 0 takes that of `before` if it is free, else the first free one from
-  // kFirstPanelPort up. The token is that of `before`, or a new one. Throws ConfigError for an
-  // invalid address, SocketError if address or port cannot be used.
-  PanelSocket(const std::string& address, int port, const PanelPlace& before = {});
+  // With `port` 0 takes kFirstPanelPort + `domain`, or the next free port above it. Makes a new
+  // token. Throws ConfigError for an invalid address, SocketError if address or port cannot be
+  // used.
+  PanelSocket(const std::string& address, int port, int domain = 0);
   ~PanelSocket();
   PanelSocket(const PanelSocket&) = delete;
   PanelSocket& operator=(const PanelSocket&) = delete;
@@ -32,6 +26,8 @@ class PanelSocket {
   const std::string& token() const { return token_; }
   // Returns the host of the panel's URL on this machine: "127.0.0.1:7707", "[::1]:7707".
   std::string host() const;
+  // Returns the panel's URL with the token, "http://127.0.0.1:7707/#token=...".
+  std::string url() const { return "http://" + host() + "/#token=" + token_; }
 
  private:
   std::string address_;

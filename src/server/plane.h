@@ -1,6 +1,7 @@
 // The server's connections to the running robot.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,9 +20,16 @@
 
 namespace understudy::server {
 
+// A robot of the world and its panel.
+struct RobotPanel {
+  std::string name{};
+  std::string url{};  // with the token; "" without a panel
+};
+
 // For the server's thread. The pointers must outlive it.
 struct Plane {
   RobotIdentity identity;
+  std::size_t robot = 0;  // its number in the world, for requests that name none
   const emulator::StatusBoard* board = nullptr;
   emulator::Inbox* inbox = nullptr;
   emulator::SnapshotMailbox* snapshots = nullptr;  // null: no snapshots
@@ -30,9 +38,10 @@ struct Plane {
   BusView bus{};
   Recordings recordings{};
   std::vector<services::ServiceTable> services{};
-  StaticFiles files{""};            // of the panel
-  std::filesystem::path openapi{};  // the OpenAPI document
-  std::string url{};                // of the panel, with the token; "" without a TCP socket
+  StaticFiles files{""};             // of the panel
+  std::filesystem::path openapi{};   // the OpenAPI document
+  std::vector<RobotPanel> robots{};  // of a world of several, by number; else empty
+  std::string url{};                 // of the panel, with the token; "" without a TCP socket
 };
 
 }  // namespace understudy::server

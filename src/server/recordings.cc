@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <span>
@@ -14,9 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/errors.h"
+#include "base/unique_fd.h"
 #include "record/truth_reader.h"
 
 namespace understudy::server {
@@ -42,10 +45,14 @@ bool IsName(std::string_view name) {
 // Whether the file ends as a finished one does. Another one would have to be read from its
 // beginning, and it may be long.
 bool IsFinished(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
+  // O_NONBLOCK: a pipe that has taken the file's place must not keep the control plane waiting.
+  const UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  struct stat about {};
   std::array<char, record::kMcapMagic.size()> end{};
-  in.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
-  return in.read(end.data(), end.size()) &&
+  return fd.valid() && ::fstat(fd.get(), &about) == 0 && S_ISREG(about.st_mode) &&
+         ::pread(fd.get(), end.data(), end.size(),
+                 about.st_size - static_cast<off_t>(end.size())) ==
+             static_cast<ssize_t>(end.size()) &&
          std::memcmp(end.data(), record::kMcapMagic.data(), end.size()) == 0;
 }
 
@@ -82,6 +89,13 @@ std::string ReadQuery(const HttpRequest& request, Poses* poses) {
 }
 
 }  // namespace
+
+std::string RefusedOverTcp(const emulator::Request& request) {
+  if (request.row->name != "record.start" || request.file().empty() || IsName(request.file())) {
+    return "";
+  }
+  return "file: over the network expected the name of an .mcap file, without a folder";
+}
 
 HttpReply Recordings::List() const {
   std::vector<std::pair<double, ordered_json>> found;

@@ -6,10 +6,15 @@
 #include <string_view>
 #include <utility>
 
+#include "emulator/request.h"
 #include "physics/scene_reader.h"
 #include "server/http.h"
 
 namespace understudy::server {
+
+// Why a client of the network may not ask for `request`; "" if it may. A recording's file is named
+// plainly there, and so lies in the folder in which the robot was started.
+std::string RefusedOverTcp(const emulator::Request& request);
 
 // Finished recordings of `understudy run --record` and `record.start` in one folder, by their name
 // there: letters, digits, ".", "-" and "_", then ".mcap". Nothing else of the folder, nor what is

@@ -9,14 +9,8 @@
 #include "server/routes.h"
 
 namespace understudy::server {
-namespace {
 
 using boost::system::error_code;
-
-// The tick may have taken a request just before its timeout.
-constexpr std::chrono::milliseconds kGrace{20};
-
-}  // namespace
 
 RequestDesk::RequestDesk(boost::asio::io_context* io, emulator::Inbox* inbox,
                          std::chrono::milliseconds patience)
@@ -25,20 +19,18 @@ RequestDesk::RequestDesk(boost::asio::io_context* io, emulator::Inbox* inbox,
 }
 
 void RequestDesk::Ask(const emulator::Request& request, Done done) {
-  auto answer = inbox_->Put(request, std::chrono::steady_clock::now() + patience_);
-  if (!answer) return done(ErrorReply(503, "the robot is busy: too many requests wait"));
-  const std::uint64_t number = asked_before_++;
-  Asked& asked = asked_
-                     .emplace(number, Asked{std::move(*answer), boost::asio::steady_timer(*io_),
-                                            std::move(done)})
-                     .first->second;
-  if (request.waits()) return;
-  asked.timer.expires_after(patience_ + kGrace);
+  auto put = inbox_->Put(request);
+  if (!put) return done(ErrorReply(503, "the robot is busy: too many requests wait"));
+  const std::uint64_t number = put->number;
+  Asked& asked =
+      asked_
+          .emplace(number, Asked{std::move(put->answer), boost::asio::steady_timer(*io_, patience_),
+                                 std::move(done)})
+          .first->second;
   asked.timer.async_wait([this, number](const error_code& error) {
-    if (error) return;
-    auto late = asked_.extract(number);
-    if (!late) return;  // answered just now
-    late.mapped().done(
+    // If the tick has taken it meanwhile, its answer is there or comes.
+    if (error || !inbox_->Withdraw(number)) return;
+    asked_.extract(number).mapped().done(
         ErrorReply(503, "the robot did not come to the request in time; it is withdrawn"));
   });
 }

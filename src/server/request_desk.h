@@ -27,8 +27,7 @@ class RequestDesk {
               std::chrono::milliseconds patience);
 
   // Calls `done`, which must own what it needs, with the reply: the tick's, or 503 if the inbox is
-  // full or the tick did not take the request in time. There is no limit for requests that are
-  // answered when their steps are done.
+  // full or the tick did not take the request in time, which then is never carried out.
   void Ask(const emulator::Request& request, Done done);
 
  private:
@@ -46,8 +45,7 @@ class RequestDesk {
   std::chrono::milliseconds patience_;
   boost::asio::posix::stream_descriptor bell_;
   std::uint64_t rings_ = 0;
-  std::uint64_t asked_before_ = 0;
-  std::map<std::uint64_t, Asked> asked_;  // in order of arrival
+  std::map<std::uint64_t, Asked> asked_;  // by the inbox's number: in order of arrival
 };
 
 }  // namespace understudy::server

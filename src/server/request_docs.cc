@@ -4,21 +4,21 @@
 #include <array>
 #include <vector>
 
-#include "config/setting_keys.h"
+#include "config/reference.h"
 #include "emulator/live_settings.h"
 
 namespace understudy::server {
 namespace {
 
-using emulator::Field;
-using emulator::FieldKind;
-using emulator::NumberText;
 using emulator::RequestRow;
 using nlohmann::ordered_json;
+using schema::Field;
+using schema::NumberText;
 
 constexpr std::string_view kHead =
     "# Requests\n\n"
-    "Written by `understudy requests > docs/requests.md` from the table that carries them out.\n\n"
+    "Written by `understudy requests > docs/reference/requests.md` from the table that carries "
+    "them out.\n\n"
     "What people and scripts ask of a running robot, by the same names and with the same values "
     "everywhere:\n\n"
     "| from | as |\n|---|---|\n"
@@ -30,8 +30,8 @@ constexpr std::string_view kHead =
     "Where the first value is in capitals it may stand alone: `crane.lower: 0.2`. `GET /requests` "
     "gives this table as JSON ([control.md](control.md), [scripts.md](scripts.md)). Bounds and "
     "defaults are *assumed*: far beyond what is of use. In a world of several robots `robot` "
-    "beside "
-    "the values is the number of the one that is meant, from 0; a run has number 0 alone.\n\n"
+    "beside the values is the number of the one that is meant, from 0; a run has number 0 "
+    "alone.\n\n"
     "| request | value | takes | default | meaning |\n|---|---|---|---|---|\n";
 
 constexpr std::string_view kFoot =
@@ -42,28 +42,19 @@ constexpr std::string_view kFoot =
 std::string DefaultOf(const Field& field) {
   if (field.required) return "needed";
   if (!field.otherwise) return "";
-  if (field.kind == FieldKind::kSwitch) return *field.otherwise != 0 ? "on" : "off";
-  if (field.kind != FieldKind::kVector) return NumberText(*field.otherwise);
+  if (field.type == &schema::kSwitch) return *field.otherwise != 0 ? "on" : "off";
+  if (field.type != &schema::kVector) return NumberText(*field.otherwise);
   const std::string number = NumberText(*field.otherwise);
   return number + " " + number + " " + number;
 }
 
-constexpr std::array<std::string_view, 13> kKinds = {
-    "number", "whole", "vector", "switch", "speed",   "word", "keys",
-    "body",   "name",  "json",   "file",   "setting", "value"};
-static_assert(kKinds.size() == static_cast<std::size_t>(FieldKind::kValue) + 1);
 constexpr std::array<std::string_view, 3> kFrom = {"both", "people", "script"};
 static_assert(kFrom.size() == static_cast<std::size_t>(emulator::From::kScript) + 1);
 
-bool HasRange(const Field& field) {
-  return field.kind == FieldKind::kNumber || field.kind == FieldKind::kWhole ||
-         field.kind == FieldKind::kVector;
-}
-
 ordered_json FieldJson(const Field& field) {
-  ordered_json json{{"key", field.key}, {"kind", kKinds[static_cast<std::size_t>(field.kind)]}};
+  ordered_json json{{"key", field.key}, {"kind", field.type->name}};
   if (!field.unit.empty()) json["unit"] = field.unit;
-  if (HasRange(field)) json["range"] = {field.low, field.high};
+  if (field.type->has_range()) json["range"] = {field.range.min, field.range.max};
   if (!field.words.empty()) json["words"] = field.words;
   if (field.otherwise) json["default"] = *field.otherwise;
   json["required"] = field.required;
@@ -71,51 +62,41 @@ ordered_json FieldJson(const Field& field) {
   return json;
 }
 
+// The schema of OpenAPI of what a field takes, without its description.
+ordered_json TypeSchemaOf(const Field& field) {
+  if (field.type == &emulator::types::kSpeed) {
+    return {{"oneOf",
+             {{{"type", "number"}, {"minimum", 0.001}, {"maximum", 1000}},
+              {{"type", "string"}, {"enum", {"max"}}}}}};
+  }
+  if (field.type == &emulator::types::kValue) {
+    return {{"oneOf", {{{"type", "number"}}, {{"type", "boolean"}}, {{"type", "string"}}}}};
+  }
+  if (field.type == &emulator::types::kSetting) {
+    std::vector<std::string_view> keys;
+    for (const emulator::LiveSetting& one : emulator::LiveSettings()) keys.push_back(one.key);
+    return {{"type", "string"}, {"enum", keys}};
+  }
+  if (field.type == &schema::kVector) {
+    const ordered_json number = TypeSchemaOf(schema::ItemOf(field));
+    return {{"type", "array"}, {"items", number}, {"minItems", 3}, {"maxItems", 3}};
+  }
+  ordered_json schema{{"type", field.type == &schema::kWhole    ? "integer"
+                               : field.type == &schema::kSwitch ? "boolean"
+                               : field.type->is_text()          ? "string"
+                                                                : "number"}};
+  if (!field.words.empty()) schema["enum"] = field.words;
+  if (field.type->has_range()) {
+    schema["minimum"] = field.range.min;
+    schema["maximum"] = field.range.max;
+  }
+  if (field.otherwise) schema["default"] = *field.otherwise;
+  if (field.otherwise && field.type == &schema::kSwitch) schema["default"] = *field.otherwise != 0;
+  return schema;
+}
+
 ordered_json SchemaOf(const Field& field) {
-  ordered_json number{{"type", field.kind == FieldKind::kWhole ? "integer" : "number"}};
-  if (HasRange(field)) {
-    number["minimum"] = field.low;
-    number["maximum"] = field.high;
-  }
-  ordered_json schema;
-  switch (field.kind) {
-    case FieldKind::kNumber:
-    case FieldKind::kWhole:
-      schema = number;
-      if (field.otherwise) schema["default"] = *field.otherwise;
-      break;
-    case FieldKind::kVector:
-      schema = {{"type", "array"}, {"items", number}, {"minItems", 3}, {"maxItems", 3}};
-      break;
-    case FieldKind::kSwitch:
-      schema = {{"type", "boolean"}};
-      if (field.otherwise) schema["default"] = *field.otherwise != 0;
-      break;
-    case FieldKind::kSpeed:
-      schema = {{"oneOf",
-                 {{{"type", "number"}, {"minimum", 0.001}, {"maximum", 1000}},
-                  {{"type", "string"}, {"enum", {"max"}}}}}};
-      break;
-    case FieldKind::kWord:
-      schema = {{"type", "string"}, {"enum", field.words}};
-      break;
-    case FieldKind::kKeys:
-    case FieldKind::kBody:
-    case FieldKind::kName:
-    case FieldKind::kJson:
-    case FieldKind::kFile:
-      schema = {{"type", "string"}};
-      break;
-    case FieldKind::kSetting: {
-      std::vector<std::string_view> keys;
-      for (const emulator::LiveSetting& one : emulator::LiveSettings()) keys.push_back(one.key);
-      schema = {{"type", "string"}, {"enum", keys}};
-      break;
-    }
-    case FieldKind::kValue:
-      schema = {{"oneOf", {{{"type", "number"}}, {{"type", "boolean"}}, {{"type", "string"}}}}};
-      break;
-  }
+  ordered_json schema = TypeSchemaOf(field);
   const std::string unit = field.unit.empty() ? "" : std::string(field.unit) + ". ";
   schema["description"] = unit + std::string(field.does);
   return schema;
@@ -124,12 +105,11 @@ ordered_json SchemaOf(const Field& field) {
 // The settings that `set` changes, and why others cannot be.
 std::string SettingsReference() {
   std::string text =
-      "\n## Settings\n\nWhat `set` changes, and `ctl set` and `GET /settings` list with the values "
-      "of now. Units and ranges are those of [the configuration](config.md). A value holds from "
-      "the "
-      "next step on and over resets; it is told as the event `setting`, and a recording has it.\n\n"
+      "\n## Settings\n\nWhat `set` changes, and `ctl set` and `GET /settings` list with their "
+      "values. Units and ranges are those of [the configuration](config.md). A value holds from "
+      "the next step on and over resets; the event `setting` reports it, also in recordings.\n\n"
       "| key | takes | meaning |\n|---|---|---|\n";
-  for (const emulator::SettingKey& key : config::SettingKeys()) {
+  for (const schema::Entry& key : config::SettingKeys()) {
     text += "| `" + key.key + "` | " + key.expected + " | " + key.does + " |\n";
   }
   text +=
@@ -198,8 +178,8 @@ std::string RequestsReference() {
             std::string(from) + " |\n";
     for (const Field& field : row.fields) {
       const std::string key = field.bare ? Capitals(field.key) : std::string(field.key);
-      text += "| | `" + key + "` | " + emulator::Expected(field) + " | " + DefaultOf(field) +
-              " | " + std::string(field.does) + " |\n";
+      text += "| | `" + key + "` | " + schema::Expected(field) + " | " + DefaultOf(field) + " | " +
+              std::string(field.does) + " |\n";
     }
   }
   return text + SettingsReference() + std::string(kFoot);

@@ -19,10 +19,10 @@ std::string RequestPath(const emulator::RequestRow& row);
 // {"requests": [{"name": ..., "does": ..., "from": ..., "fields": [{"key": ..., ...}]}]}
 nlohmann::ordered_json RequestsJson();
 
-// Returns docs/requests.md.
+// Returns docs/reference/requests.md.
 std::string RequestsReference();
 
-// Returns the paths of requests in docs/openapi.yaml.
+// Returns the paths of requests, as openapi.yaml has them at its end.
 std::string RequestsOpenApi();
 
 }  // namespace understudy::server

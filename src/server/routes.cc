@@ -22,16 +22,18 @@ constexpr double kLeastHz = 1, kMostHz = 240;  // of snapshots; *assumed*, more 
 HttpReply JsonReply(const ordered_json& value) { return {.body = JsonText(value) + "\n"}; }
 
 // Reads a request from a POST.
-Routed Posted(const emulator::RequestRow& row, std::string_view body) {
+Routed Posted(const emulator::RequestRow& row, std::string_view body, std::size_t robot) {
   using nlohmann::json;
   try {
     const json values = body.empty() ? json() : json::parse(body);
     if (!values.is_object() && !values.is_null()) {
-      return ErrorReply(400, "the body: expected a JSON object, got " + emulator::Shown(values));
+      return ErrorReply(400,
+                        "the body: expected a JSON object, got " + schema::Node(values).shown());
     }
-    const auto request = emulator::ReadRequest(row, values);
+    auto request = emulator::ReadRequest(row, values);
     if (!request) return ErrorReply(400, request.why());
-    return *request;
+    if (!values.contains(emulator::kRobotField.key)) request->robot = robot;
+    return *std::move(request);
   } catch (const json::parse_error& error) {
     return ErrorReply(400, "the body is not JSON, see byte " + std::to_string(error.byte));
   } catch (const json::out_of_range&) {
@@ -40,7 +42,8 @@ Routed Posted(const emulator::RequestRow& row, std::string_view body) {
 }
 
 Routed GetStatus(const HttpRequest&, std::string_view, Plane& plane) {
-  return JsonReply(StatusJson(plane.identity, plane.board->Read()));
+  plane.events.Update();
+  return JsonReply(StatusJson(plane.identity, plane.board->Read(), plane.events));
 }
 
 // Returns the requested parts, all by default, or an error.
@@ -178,7 +181,11 @@ Routed GetFile(const HttpRequest& request, std::string_view path, Plane& plane) 
 Routed GetPanel(const HttpRequest&, std::string_view, Plane& plane) {
   if (plane.url.empty())
     return ErrorReply(404, "this robot has no panel, for it serves nothing on TCP");
-  return JsonReply({{"url", plane.url}});
+  ordered_json robots = ordered_json::array();
+  for (const RobotPanel& one : plane.robots) {
+    robots.push_back({{"name", one.name}, {"url", one.url}});
+  }
+  return JsonReply({{"url", plane.url}, {"robots", robots}});
 }
 
 // The routes of GET; the POSTs are those of the table of requests.
@@ -262,7 +269,8 @@ Routed Route(const HttpRequest& request, Plane& plane) {
   }
   for (const emulator::RequestRow& row : emulator::RequestRows()) {
     if (path != RequestPath(row)) continue;
-    return request.method == "POST" ? Posted(row, request.body) : WrongMethod(request, "POST");
+    return request.method == "POST" ? Posted(row, request.body, plane.robot)
+                                    : WrongMethod(request, "POST");
   }
   return NoSuchPath(path);
 }

@@ -35,14 +35,16 @@ ordered_json GeomJson(const physics::SceneGeom& geom) {
           {"mesh", geom.mesh}, {"hfield", geom.hfield}};
 }
 
-ordered_json MotorJson(const robot::MotorSpec& motor, const physics::Scene& scene) {
+ordered_json MotorJson(const robot::MotorSpec& motor, const physics::Scene& scene,
+                       const std::string& prefix) {
   ordered_json told{{"name", motor.joint},
                     {"slot", motor.slot},
                     {"range", nullptr},
                     {"torque_limit", motor.torque_limit},
                     {"knee_speed", motor.knee_speed},
                     {"no_load_speed", motor.no_load_speed}};
-  const auto joint = std::ranges::find(scene.joints, motor.joint, &physics::SceneJoint::name);
+  const auto joint =
+      std::ranges::find(scene.joints, prefix + motor.joint, &physics::SceneJoint::name);
   if (joint == scene.joints.end()) return told;
   if (joint->limited) told["range"] = joint->range;
   told["qpos"] = joint->position;
@@ -75,12 +77,13 @@ ordered_json ChordJson(const robot::ChordSpec& chord, const robot::RobotSpec& ro
 }
 
 // As in a snapshot: the body's motors, then those of hands, whose slot is their index in motor_cmd.
-ordered_json MotorsJson(const robot::RobotSpec& robot, const physics::Scene& scene) {
-  ordered_json motors =
-      List(robot.motors, [&](const robot::MotorSpec& motor) { return MotorJson(motor, scene); });
+ordered_json MotorsJson(const robot::RobotSpec& robot, const physics::Scene& scene,
+                        const std::string& prefix) {
+  ordered_json motors = List(
+      robot.motors, [&](const robot::MotorSpec& motor) { return MotorJson(motor, scene, prefix); });
   for (const robot::HandSpec& hand : robot.hands) {
     for (std::size_t i = 0; i < hand.motors.size(); ++i) {
-      ordered_json told = MotorJson(hand.motors[i], scene);
+      ordered_json told = MotorJson(hand.motors[i], scene, prefix);
       told["slot"] = i;
       told["hand"] = hand.name;
       motors.push_back(std::move(told));
@@ -134,9 +137,12 @@ HttpReply SceneFiles::Part(const std::string& what, std::string_view index, int 
 
 std::string SceneFiles::SceneText() {
   const understudy::physics::Scene scene = reader_->Describe();
-  const auto base = std::ranges::find(scene.bodies, robot_->base_body, &physics::SceneBody::name);
-  std::vector<std::string> imus{robot_->imu.site};
-  if (!robot_->imu.secondary_site.empty()) imus.push_back(robot_->imu.secondary_site);
+  const auto base =
+      std::ranges::find(scene.bodies, prefix_ + robot_->base_body, &physics::SceneBody::name);
+  std::vector<std::string> imus{prefix_ + robot_->imu.site};
+  if (!robot_->imu.secondary_site.empty()) {
+    imus.push_back(prefix_ + robot_->imu.secondary_site);
+  }
   const ordered_json json{
       {"robot", robot_->name},
       {"mujoco", scene.mujoco},
@@ -168,7 +174,7 @@ std::string SceneFiles::SceneText() {
                                  {"quat", camera.quat},
                                  {"fovy", camera.fovy}};
                        })},
-      {"motors", MotorsJson(*robot_, scene)},
+      {"motors", MotorsJson(*robot_, scene, prefix_)},
       {"imus", imus},
       {"feet",
        List(robot_->feet, [](const robot::FootSpec& foot) { return ordered_json(foot.name); })},

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "physics/scene_reader.h"
 #include "robot/robot_spec.h"
@@ -16,9 +17,9 @@ namespace understudy::server {
 // Makes a body once and shares it among the replies that are being sent. For one thread.
 class SceneFiles {
  public:
-  // Both must outlive it.
-  SceneFiles(physics::SceneReader* reader, const robot::RobotSpec* robot)
-      : reader_(reader), robot_(robot) {}
+  // Of a robot, whose names have that prefix in the scene. Both must outlive it.
+  SceneFiles(physics::SceneReader* reader, const robot::RobotSpec* robot, std::string prefix = "")
+      : reader_(reader), robot_(robot), prefix_(std::move(prefix)) {}
 
   HttpReply Scene();
   // `index` is the text of the path.
@@ -36,6 +37,7 @@ class SceneFiles {
 
   physics::SceneReader* reader_;
   const robot::RobotSpec* robot_;
+  std::string prefix_;
   std::map<std::string, std::weak_ptr<const std::string>> made_;
 };
 

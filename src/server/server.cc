@@ -49,7 +49,7 @@ std::thread StartWithoutSignals(Function function) {
 class Acceptor {
  public:
   // `fd` is a listening socket and not owned; `family` is its address family.
-  Acceptor(asio::io_context* io, int fd, int family, const Access* access, Shared* shared)
+  Acceptor(asio::io_context* io, int fd, int family, const AccessRules* access, Shared* shared)
       : shared_(shared),
         connections_(access, shared->limits.connections),
         acceptor_(*io),
@@ -103,7 +103,7 @@ class ControlServer::Loop {
     unix_.emplace(&io_, listening_.fd(), AF_UNIX, nullptr, &shared_);
     if (panel != nullptr) {
       access_ = {.token = panel->token(), .address = panel->address()};
-      shared_.plane.url = "http://" + panel->host() + "/#token=" + access_.token;
+      shared_.plane.url = panel->url();
       tcp_.emplace(&io_, panel->fd(), panel->family(), &access_, &shared_);
     }
     url_ = shared_.plane.url;
@@ -132,7 +132,7 @@ class ControlServer::Loop {
   }
 
   Shared shared_;
-  Access access_;
+  AccessRules access_;
   std::string url_;
   client::ListeningSocket listening_;
   asio::io_context io_{1};

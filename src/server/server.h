@@ -17,17 +17,19 @@ namespace understudy::server {
 struct ServerLimits {
   std::size_t header_bytes = 8 * 1024;
   std::size_t body_bytes = 64 * 1024;  // also of a WebSocket message
-  std::size_t connections = 64;        // per socket
-  // Longest time for a request to arrive completely, for a reply to be read, and for a WebSocket to
-  // answer a ping.
+  std::size_t connections = 64;        // per socket; WebSockets without the token have 3/4 of them
+  // Longest time for a request to arrive completely, and for a reply to be read.
   std::chrono::milliseconds idle{10'000};
+  // Longest time for a WebSocket to answer a ping, which waits behind the messages that a page has
+  // yet to draw: on a loaded machine without a graphics card, ten seconds were seen.
+  std::chrono::milliseconds silence{60'000};
   // Longest wait for the tick to take a request, which is then answered with 503 and not carried
   // out, or to fill in a snapshot.
   std::chrono::milliseconds patience{2'000};
 };
 
 // Serves while it exists, in one thread, which never waits for a client or for the tick. Both
-// sockets have the same routes (docs/openapi.yaml); on TCP, writing needs the token of the run
+// sockets have the same routes (openapi.yaml); on TCP, writing needs the token of the run
 // (server/access.h).
 //
 // A request is answered with 200 {"ok": true}, or {"error": "..."} and 400 if it cannot be read,

@@ -5,6 +5,7 @@
 
 #include <boost/beast/websocket/rfc6455.hpp>
 
+#include "server/recordings.h"
 #include "server/request_desk.h"
 #include "server/web_sockets.h"
 
@@ -94,7 +95,7 @@ void Session::OnRead(const error_code& error) {
     return Write(std::move(*reply), false);
   }
   const HttpRequest request = RequestOf(parser_->get());
-  if (const Access* access = connections_->access()) {
+  if (const AccessRules* access = connections_->access()) {
     if (auto refusal = RefusalOf(request, *access)) return Write(std::move(*refusal), false);
   }
   try {
@@ -109,10 +110,14 @@ void Session::Answer(const HttpRequest& request) {
   if (auto* reply = std::get_if<HttpReply>(&routed)) return Write(std::move(*reply));
   if (const auto* wanted = std::get_if<FromSnapshot>(&routed)) return AwaitSnapshot(*wanted);
   if (const auto* asked = std::get_if<emulator::Request>(&routed)) {
+    if (const std::string why = RefusedOverTcp(*asked);
+        connections_->access() != nullptr && !why.empty()) {
+      return Write(ErrorReply(403, why));
+    }
     return shared_->desk->Ask(*asked,
                               [self = Self()](const HttpReply& reply) { self->Write(reply); });
   }
-  Upgrade(routed);
+  Upgrade(routed, request);
 }
 
 void Session::AwaitSnapshot(const FromSnapshot& wanted) {
@@ -134,12 +139,18 @@ void Session::OnSnapshot(ShownSnapshot* shown) {
   Write(wanted.reply(shown->snapshot(), wanted.parts, shared_->plane));
 }
 
-void Session::Upgrade(const Routed& routed) {
+void Session::Upgrade(const Routed& routed, const HttpRequest& request) {
+  const AccessRules* access = connections_->access();
+  const bool known = access == nullptr || HasToken(request, *access);
+  if (!known && connections_->crowded()) {
+    return Write(ErrorReply(503, "too many clients without the token watch"), false);
+  }
   const std::shared_ptr<Session> self = Self();  // its list releases it here
   stream_.expires_never();
   Leave();
-  connections_->Add(
-      MakeWebSocket(std::move(stream_), parser_->release(), routed, connections_, shared_));
+  auto socket =
+      MakeWebSocket(std::move(stream_), parser_->release(), routed, connections_, shared_);
+  known ? connections_->Add(std::move(socket)) : connections_->AddStranger(std::move(socket));
 }
 
 void Session::Write(HttpReply reply) { Write(std::move(reply), parser_->get().keep_alive()); }

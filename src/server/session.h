@@ -31,7 +31,7 @@ class Session : public Connection {
   void OnRead(const boost::system::error_code& error);
   void Answer(const HttpRequest& request);
   void AwaitSnapshot(const FromSnapshot& wanted);
-  void Upgrade(const Routed& routed);
+  void Upgrade(const Routed& routed, const HttpRequest& request);
   void Write(HttpReply reply);
   void Write(HttpReply reply, bool keep_alive);
   void Forget();

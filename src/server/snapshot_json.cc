@@ -29,7 +29,7 @@ struct ExactList {
   const std::vector<double>& numbers;
 };
 
-// A unit without its temperature, which is no matter of truth.
+// An IMU without its temperature, which is not simulated truth.
 struct TrueImu {
   const robot::ImuReading& reading;
 };
@@ -177,7 +177,7 @@ class Writer {
     PutObject("component", snapshot_.components[fault.component], "fault", fault.kind->name, "by",
               fault.by, "unit", fault.kind->unit, "from", Exact{fault.from});
   }
-  void Put(const robot::Damage& damage) {
+  void Put(const robot::DamageTotals& damage) {
     PutObject("time", Exact{damage.time}, "energy", damage.energy, "peak_current",
               damage.peak_current, "shock", damage.shock, "worst_tilt", damage.worst_tilt, "falls",
               damage.falls, "trip", snapshot_.trip_c, "motors", damage.motors, "limits",
@@ -230,10 +230,10 @@ std::optional<emulator::SnapshotParts> ReadSnapshotParts(std::string_view list,
 nlohmann::ordered_json SettingsJson(const emulator::Snapshot& snapshot) {
   nlohmann::ordered_json settings = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < snapshot.settings.size(); ++i) {
-    const emulator::SettingKey& key = snapshot.setting_keys[i];
+    const schema::Entry& key = snapshot.setting_keys[i];
     const double value = snapshot.settings[i];
     nlohmann::ordered_json shown = value;
-    if (key.is_switch()) {
+    if (key.type == &schema::kSwitch) {
       shown = value != 0;
     } else if (!key.words.empty()) {
       shown = key.words[static_cast<std::size_t>(value)];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uintmax_t kLargest = 32 << 20;  // *assumed*, several times all the panel's files
 
-// The panel may run only its own scripts and contact only its robot, whatever is injected into it.
+// The panel may run only its own scripts and contact only its robot, against injected content.
 constexpr char kPolicy[] =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";

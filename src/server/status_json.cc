@@ -90,9 +90,11 @@ ordered_json HistogramJson(const time::Histogram& histogram) {
 
 }  // namespace
 
-ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status) {
+ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status,
+                        const EventHistory& events) {
   return {
       {"robot", identity.robot},
+      {"name", identity.name},
       {"version", identity.version},
       {"pid", identity.pid},
       {"log", identity.log},
@@ -123,7 +125,7 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
        {{"requests", status.services.requests},
         {"refused", RefusedJson(status.services)},
         {"lost_replies", status.services.lost_replies}}},
-      {"power", emulator::Name(status.power)},
+      {"power", robot::Name(status.power)},
       {"motion",
        {{"service", status.motion_service.data()},
         {"state", status.motion.id},
@@ -161,6 +163,7 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
         {"bytes", status.loop.recording.bytes},
         {"dropped", status.loop.recording.dropped}}},
       {"randomization", DrawsJson(identity.draws)},
+      {"unserved", UnservedJson(events)},
   };
 }
 

@@ -14,6 +14,7 @@
 #include <boost/beast/websocket.hpp>
 #include <nlohmann/json.hpp>
 
+#include "server/recordings.h"
 #include "server/request_desk.h"
 
 namespace understudy::server {
@@ -28,8 +29,8 @@ class WebSocket : public Connection {
  public:
   WebSocket(Stream stream, Handshake handshake, Connections* connections, Shared* shared)
       : shared_(shared),
-        handshake_(std::move(handshake)),
         connections_(connections),
+        handshake_(std::move(handshake)),
         stream_(std::move(stream)),
         timer_(stream_.get_executor()) {}
 
@@ -37,7 +38,7 @@ class WebSocket : public Connection {
   void Begin() override {
     stream_.set_option(
         boost::beast::websocket::stream_base::timeout{.handshake_timeout = shared_->limits.idle,
-                                                      .idle_timeout = shared_->limits.idle,
+                                                      .idle_timeout = shared_->limits.silence,
                                                       .keep_alive_pings = true});
     stream_.read_message_max(shared_->limits.body_bytes);
     stream_.auto_fragment(false);
@@ -89,9 +90,10 @@ class WebSocket : public Connection {
   bool open() const { return stream_.is_open(); }
 
   Shared* const shared_;
+  Connections* connections_;
 
  private:
-  // Whatever is under way on the socket ends with an error.
+  // Operations under way on the socket end with an error.
   void Leave() {
     timer_.cancel();
     error_code ignored;
@@ -100,7 +102,6 @@ class WebSocket : public Connection {
   }
 
   Handshake handshake_;
-  Connections* connections_;
   // Without compression, which is not needed and compiles slowly.
   boost::beast::websocket::stream<Stream, false> stream_;
   boost::asio::steady_timer timer_;
@@ -162,9 +163,10 @@ class EventWatch final : public WebSocket {
   std::uint64_t next_ = 0;  // number of the next event to be sent
 };
 
-// Reads the request of a message and the id of its answer. Never recurses, since a client chooses
-// how deep a message is.
-Result<emulator::Request> ReadMessage(std::string_view message, ordered_json* id) {
+// Reads the request of a message, to `robot` unless it names one, and the id of its answer. Never
+// recurses, since a client chooses how deep a message is.
+Result<emulator::Request> ReadMessage(std::string_view message, std::size_t robot,
+                                      ordered_json* id) {
   const json said = json::parse(message, nullptr, false);
   const Error form{R"(expected {"NAME": {...}, "id": text or number})"};
   if (!said.is_object() || said.empty() || said.size() > 2) return form;
@@ -181,7 +183,10 @@ Result<emulator::Request> ReadMessage(std::string_view message, ordered_json* id
       return form;
     }
   }
-  return values != nullptr ? emulator::ReadRequest(name, *values) : form;
+  if (values == nullptr) return form;
+  auto request = emulator::ReadRequest(name, *values);
+  if (request && !values->contains(emulator::kRobotField.key)) request->robot = robot;
+  return request;
 }
 
 class RequestLine final : public WebSocket {
@@ -193,8 +198,12 @@ class RequestLine final : public WebSocket {
     listening_ = false;
     try {
       ordered_json id;
-      const auto request = ReadMessage(message, &id);
+      const auto request = ReadMessage(message, shared_->plane.robot, &id);
       if (!request) return Answer(id, ErrorReply(400, request.why()));
+      if (const std::string why = RefusedOverTcp(*request);
+          connections_->access() != nullptr && !why.empty()) {
+        return Answer(id, ErrorReply(403, why));
+      }
       const bool in_turn = !request->waits();
       in_turn_ = in_turn;
       shared_->desk->Ask(*request,

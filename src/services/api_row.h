@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,11 +15,12 @@
 #include <nlohmann/json.hpp>
 
 #include "authority/motor_owner.h"
+#include "schema/field.h"
 #include "services/call_refusal.h"
 
 namespace understudy::services {
 
-// Codes of the vendor's RPC layer (docs/sources.md#requests).
+// Codes of the vendor's RPC layer (docs/dev/sources.md#requests).
 inline constexpr std::int32_t kRpcOk = 0;
 inline constexpr std::int32_t kRpcServerInternal = 3202;
 inline constexpr std::int32_t kRpcApiNotImplemented = 3203;
@@ -29,29 +29,7 @@ inline constexpr std::int32_t kRpcLeaseDenied = 3205;
 inline constexpr std::int32_t kRpcLeaseNotExist = 3206;
 inline constexpr std::int32_t kRpcLeaseExist = 3207;
 
-enum class FieldKind : std::uint8_t {
-  kBool,     // true or false
-  kFlag,     // true, false, 0 or 1: the vendor's clients disagree
-  kInt,      // a whole number, 3 or 3.0
-  kNumber,   // finite
-  kNumbers,  // array of `count` finite numbers; any length when count is 0
-  kText,
-  kPath,  // array of `count` objects of numbers, each with at least t_from_start, x, y and yaw
-};
-
-enum class OutOfRange : std::uint8_t { kRefuse, kClamp };
-
-// One member of the parameter object.
-struct Field {
-  std::string_view key;  // "" if the parameter is the value itself
-  FieldKind kind = FieldKind::kNumber;
-  double low = -std::numeric_limits<double>::infinity();  // of each number, inclusive
-  double high = std::numeric_limits<double>::infinity();
-  OutOfRange beyond = OutOfRange::kRefuse;
-  int count = 0;               // elements of kNumbers and kPath; 0 = any
-  bool optional = false;       // may be missing
-  std::string_view also = {};  // a second key that some clients use for it
-};
+using schema::Field;
 
 using Settings = std::map<std::string, nlohmann::json, std::less<>>;
 
@@ -68,8 +46,10 @@ struct ServiceReply {
   bool (*once)(const robot::MotionState& state) = nullptr;
   // Longest wait for that condition and for the client's reader; the default is assumed.
   std::chrono::nanoseconds patience = std::chrono::milliseconds(300);
+  // It is the answer if no picture of the service's camera comes; else that is, with kRpcOk.
+  bool picture = false;
   std::optional<ConfigChange> change{};  // to be published on rt/config_change_status
-  // Why it comes to nothing. kNone: the Service finds out by what the motion service said, and by
+  // Why it has no effect. kNone: the Service finds out by what the motion service said, and by
   // the code.
   CallRefusal refusal = CallRefusal::kNone;
 };
@@ -108,12 +88,14 @@ struct GiveState {
   StateWord word;
   std::string_view key;
 };
+struct GivePicture {};   // of the service's camera; replies with a failure code if none comes
 struct NoController {};  // not simulated: replies with a failure code
 struct Special {
   ServiceReply (*answer)(const ServiceCall& call);
   bool only_reads = false;
 };
-using Effect = std::variant<AskGoal, KeepSetting, GiveSetting, GiveState, NoController, Special>;
+using Effect =
+    std::variant<AskGoal, KeepSetting, GiveSetting, GiveState, GivePicture, NoController, Special>;
 
 struct ApiRow {
   std::int64_t id = 0;
@@ -145,7 +127,6 @@ struct ServiceTable {
   // nothing answers. "" = always served.
   std::string_view program{};
   bool needs_motion = false;       // served only while a motion service is on
-  bool tells_changes = false;      // publishes rt/config_change_status
   bool has_switch_topics = false;  // SwitchTopics can set its settings
   std::vector<ApiRow> rows{};
   std::vector<std::pair<std::string_view, std::string_view>> settings{};  // name, JSON at the start

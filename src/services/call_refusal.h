@@ -1,4 +1,4 @@
-// The reasons for which a call of a service comes to nothing.
+// The reasons for which a call of a service has no effect.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ constexpr std::string_view Name(CallRefusal refusal) {
 constexpr std::string_view Explain(CallRefusal refusal) {
   switch (refusal) {
     case CallRefusal::kUnknownApi:
-      return "the service has no such api; docs/services.md lists them";
+      return "the service has no such api; docs/reference/services.md lists them";
     case CallRefusal::kLease:
       return "another client holds the service's lease, or the caller's has expired";
     case CallRefusal::kParameter:

@@ -2,89 +2,61 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
-
-#include "base/printed.h"
 
 namespace understudy::services {
 namespace {
 
 using nlohmann::json;
 
-std::optional<double> Finite(const json& value) {
-  if (!value.is_number()) return std::nullopt;
-  const double number = value.get<double>();
-  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+using schema::Node;
+using schema::Taken;
+using schema::Type;
+
+std::optional<Taken> TakeBool(const Field&, const Node& node) {
+  const auto flag = node.flag;
+  return flag ? std::optional(Taken{*flag ? 1.0 : 0.0}) : std::nullopt;
 }
 
-// Clamps the value to the field's range, or refuses it, as the field says.
-std::optional<double> InRange(const Field& field, double value) {
-  if (value >= field.low && value <= field.high) return value;
-  if (field.beyond == OutOfRange::kRefuse) return std::nullopt;
-  return std::clamp(value, field.low, field.high);
+std::optional<Taken> TakeFlag(const Field& field, const Node& node) {
+  const std::optional<double> number = node.number;
+  const bool is_flag = number && (*number == 0 || *number == 1);
+  return is_flag ? std::optional(Taken{*number}) : TakeBool(field, node);
 }
 
-std::optional<json> DecodeNumbers(const Field& field, const json& value) {
-  if (!value.is_array()) return std::nullopt;
-  if (field.count > 0 && value.size() != static_cast<std::size_t>(field.count)) return std::nullopt;
-  json numbers = json::array();
-  for (const json& element : value) {
-    const auto number = Finite(element);
-    const auto inside = number ? InRange(field, *number) : std::nullopt;
-    if (!inside) return std::nullopt;
-    numbers.push_back(*inside);
-  }
-  return numbers;
+std::optional<Taken> TakeString(const Field&, const Node& node) {
+  const auto text = node.text;
+  return text ? std::optional(Taken{0, *text}) : std::nullopt;
 }
 
-bool IsPathPoint(const json& point) {
+std::optional<Taken> TakePoint(const Field&, const Node& node) {
   constexpr std::array kNeeded = {"t_from_start", "x", "y", "yaw"};
-  return point.is_object() &&
-         std::ranges::all_of(kNeeded, [&](const char* key) { return point.contains(key); }) &&
-         std::ranges::all_of(point, [](const json& value) { return Finite(value).has_value(); });
+  const json* const point = node.json;
+  const auto has = [&](const char* key) { return point->contains(key); };
+  const auto finite = [](const json& value) { return Node(value).number.has_value(); };
+  const bool is = point != nullptr && point->is_object() && std::ranges::all_of(kNeeded, has) &&
+                  std::ranges::all_of(*point, finite);
+  return is ? std::optional(Taken{}) : std::nullopt;
 }
 
-std::optional<json> DecodePath(const Field& field, const json& value) {
-  if (!value.is_array()) return std::nullopt;
-  if (field.count > 0 && value.size() != static_cast<std::size_t>(field.count)) return std::nullopt;
-  if (!std::ranges::all_of(value, IsPathPoint)) return std::nullopt;
-  return value;
-}
+json FlagJson(const Field&, const Taken& taken) { return taken.number != 0; }
 
-std::optional<json> DecodeInt(const Field& field, const json& value) {
-  const auto number = Finite(value);
-  if (!number || std::trunc(*number) != *number || std::abs(*number) > 9007199254740992.0) {
-    return std::nullopt;
-  }
-  const auto inside = InRange(field, *number);
-  if (!inside) return std::nullopt;
-  return static_cast<std::int64_t>(*inside);
-}
+const Type kPoint{"point", "", "", schema::Form::kOther, TakePoint};
 
 std::optional<json> DecodeField(const Field& field, const json& value) {
-  switch (field.kind) {
-    case FieldKind::kBool:
-      return value.is_boolean() ? std::optional(value) : std::nullopt;
-    case FieldKind::kFlag:
-      if (value.is_boolean()) return value;
-      if (const auto number = Finite(value); number && (*number == 0 || *number == 1)) {
-        return *number == 1;
-      }
-      return std::nullopt;
-    case FieldKind::kInt:
-      return DecodeInt(field, value);
-    case FieldKind::kNumber:
-      if (const auto number = Finite(value)) return InRange(field, *number);
-      return std::nullopt;
-    case FieldKind::kNumbers:
-      return DecodeNumbers(field, value);
-    case FieldKind::kText:
-      return value.is_string() ? std::optional(value) : std::nullopt;
-    case FieldKind::kPath:
-      return DecodePath(field, value);
+  if (!field.is_list()) {
+    const auto taken = Take(field, value);
+    return taken ? std::optional(JsonOf(field, *taken)) : std::nullopt;
   }
-  return std::nullopt;
+  if (!value.is_array() || (field.count > 0 && value.size() != field.count)) return std::nullopt;
+  const Field item = ItemOf(field);
+  json list = json::array();
+  for (const json& element : value) {
+    const auto taken = Take(item, element);
+    if (!taken) return std::nullopt;
+    list.push_back(item.type == &kPoint ? element : JsonOf(item, *taken));
+  }
+  return list;
 }
 
 const json* Find(const Field& field, const json& object) {
@@ -111,25 +83,13 @@ bool IsTooMuch(std::string_view text) {
   return values > kMostParameterValues;
 }
 
-std::string Shown(double number) { return Printed("%g", number); }
-
-std::string DescribeKind(const Field& field) {
-  constexpr std::array kNames = {
-      "true or false", "true, false, 0 or 1", "whole number", "number", "numbers",
-      "text",          "path points"};
-  const std::string name = kNames.at(static_cast<std::size_t>(field.kind));
-  return field.count > 0 ? std::to_string(field.count) + " " + name : name;
-}
-
-std::string DescribeRange(const Field& field) {
-  const bool low = std::isfinite(field.low), high = std::isfinite(field.high);
-  if (!low && !high) return "";
-  if (!high) return " from " + Shown(field.low);
-  return " " + Shown(field.low) + ".." + Shown(field.high) +
-         (field.beyond == OutOfRange::kClamp ? " clamped" : "");
-}
-
 }  // namespace
+
+const Type kBool{"bool", "true or false", "", schema::Form::kOther, TakeBool, FlagJson};
+const Type kFlag{"flag", "true, false, 0 or 1", "", schema::Form::kOther, TakeFlag, FlagJson};
+const Type kString{"text", "text", "", schema::Form::kText, TakeString};
+const Type kPath{"path", "a list of path points", "", schema::Form::kOther, nullptr, nullptr,
+                 &kPoint};
 
 std::optional<json> DecodeParameter(std::string_view text, std::span<const Field> fields) {
   json decoded = json::object();
@@ -142,8 +102,8 @@ std::optional<json> DecodeParameter(std::string_view text, std::span<const Field
   for (const Field& field : fields) {
     const json* value = Find(field, given);
     if (value == nullptr) {
-      if (field.optional) continue;
-      return std::nullopt;
+      if (field.required) return std::nullopt;
+      continue;
     }
     auto one = DecodeField(field, *value);
     if (!one) return std::nullopt;
@@ -154,12 +114,13 @@ std::optional<json> DecodeParameter(std::string_view text, std::span<const Field
 
 std::string DescribeFields(std::span<const Field> fields) {
   if (fields.empty()) return "";
-  if (fields.front().key.empty()) return DescribeKind(fields.front());
+  if (fields.front().key.empty()) return schema::Expected(fields.front());
   std::string text;
   for (const Field& field : fields) {
-    text += (text.empty() ? "" : ", ") + std::string(field.key);
+    text += (text.empty() ? "" : "; ") + std::string(field.key);
     if (!field.also.empty()) text += " or " + std::string(field.also);
-    text += ": " + DescribeKind(field) + DescribeRange(field) + (field.optional ? ", if any" : "");
+    text += ": " + schema::Expected(field) + (field.clamped ? ", clamped" : "") +
+            (field.required ? "" : ", if any");
   }
   return text;
 }

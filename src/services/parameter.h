@@ -11,6 +11,13 @@
 
 namespace understudy::services {
 
+// The types of values that only parameters have.
+extern const schema::Type kBool;    // true or false
+extern const schema::Type kFlag;    // true, false, 0 or 1: the vendor's clients disagree
+extern const schema::Type kString;  // any text
+// A list of objects of numbers, each with at least t_from_start, x, y and yaw.
+extern const schema::Type kPath;
+
 // Longer parameters are refused unread, and those of more values, of one of which begins or another
 // follows at each [, { and comma outside of texts. Assumed: the vendor's longest parameter, 30 path
 // points, has 6 kB and 300 values.
@@ -22,7 +29,7 @@ inline constexpr std::size_t kMostParameterValues = 512;
 // of range. If no field is required, "" means "{}"; if there are no fields, any text does.
 std::optional<nlohmann::json> DecodeParameter(std::string_view text, std::span<const Field> fields);
 
-// Describes the fields in one line, such as {"x": number -0.75..0.75 clamped}; "" without fields.
+// Describes the fields in one line: "x: a number from -0.75 to 0.75, clamped"; "" without fields.
 std::string DescribeFields(std::span<const Field> fields);
 
 }  // namespace understudy::services

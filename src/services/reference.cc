@@ -12,17 +12,16 @@ namespace {
 
 constexpr std::string_view kHead =
     "# Services\n\n"
-    "Written by `understudy services > docs/services.md` from the tables of the services.\n\n"
+    "Written by `understudy services > docs/reference/services.md` from the tables of the "
+    "services.\n\n"
     "A service `S` takes requests on `rt/api/S/request` and answers on `rt/api/S/response`. A "
     "response repeats the identity of its request. Api 1 returns the version. Parameters are JSON; "
     "if none is needed, `\"\"` and `{}` are the same. A request with `noreply` is carried out "
     "and not answered. A reply waits up to 300 ms for the client's response reader. Requests with "
     "a priority above 0 go first; the queues of a service hold 10 requests, and 5 with priority. "
-    "Parameters of "
-    "more than 16384 bytes and unexpected binary are refused unread. While a service's program is "
-    "off, or no motion service is on for a service that needs one, nothing answers and clients "
-    "time out "
-    "(3104).\n\n"
+    "Parameters of more than 16384 bytes and unexpected binary are refused unread. Nobody reads "
+    "the requests of a service whose program is off, or that needs a motion service while none is "
+    "on. The vendor's Python client then says 3102, and its C++ client times out, 3104.\n\n"
     "Codes of all services: 0 taken, which does not mean that the action succeeds; 3202 internal "
     "failure; 3203 no such api; 3204 bad parameter, unless the service has its own code; 3205 "
     "another client holds the lease. Clients apply for a lease on `rt/api/S_lease/request` (101 "
@@ -31,8 +30,8 @@ constexpr std::string_view kHead =
     "failure and a line in the log.\n\n"
     "Sources: [sdk] a header of unitree_sdk2, commit 21d0a3b; [py] unitree_sdk2_python, commit "
     "37116c5; [docs] the vendor's developer pages; [seen] on a real robot, by others "
-    "([sources.md](sources.md)); assumed. That every service has a lease, and that apis which only "
-    "read need none, is assumed.\n\n";
+    "([sources.md](../dev/sources.md)); assumed. That every service has a lease, and that apis "
+    "which only read need none, is assumed.\n\n";
 
 std::string Joined(const std::vector<std::string>& apis) {
   std::string text;
@@ -66,7 +65,7 @@ std::string Section(std::string_view name, const ServiceTable& table) {
 std::string ServicesReference() {
   std::string text(kHead);
   text +=
-      "A robot's file in [config/robots](../config/robots) lists its tables under `robot.apis`, "
+      "A robot's file in [config/robots](../../config/robots) lists its tables under `robot.apis`, "
       "`understudy robots --json` those of all robots; the default is " +
       Joined(robot::RobotSpec{}.apis) +
       ". A table is named after the robot to which the vendor's header belongs; others may have it "

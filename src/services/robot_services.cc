@@ -17,7 +17,7 @@ struct NamedTable {
   ServiceTable (*make)();
 };
 
-#define UNDERSTUDY_TABLE(name, make) {name, [] { return make; }},
+#define UNDERSTUDY_TABLE(name, service, make) {name, [] { return make; }},
 constexpr NamedTable kTables[] = {UNDERSTUDY_SERVICE_TABLES(UNDERSTUDY_TABLE)};
 #undef UNDERSTUDY_TABLE
 

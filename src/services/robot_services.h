@@ -16,7 +16,7 @@ ServiceTable TableNamed(std::string_view name);
 // of one service.
 std::vector<ServiceTable> ServicesOf(const std::vector<std::string>& apis);
 
-// Returns docs/services.md: every table in Markdown.
+// Returns docs/reference/services.md: every table in Markdown.
 std::string ServicesReference();
 
 }  // namespace understudy::services

@@ -63,7 +63,8 @@ constexpr std::int64_t kRenew = 102;
 bool OnlyReads(const ApiRow& row) {
   if (const auto* special = std::get_if<Special>(&row.effect)) return special->only_reads;
   return std::holds_alternative<GiveSetting>(row.effect) ||
-         std::holds_alternative<GiveState>(row.effect);
+         std::holds_alternative<GiveState>(row.effect) ||
+         std::holds_alternative<GivePicture>(row.effect);
 }
 
 Service::Service(ServiceTable table) : table_(std::move(table)) {
@@ -147,6 +148,11 @@ ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t 
             const int word = effect.word == StateWord::kId ? state.id : state.mode;
             return ServiceReply{.data = json{{std::string(effect.key), word}}.dump()};
           },
+          [&](const GivePicture&) {
+            ServiceReply reply = Refuse(row);
+            reply.picture = true;
+            return reply;
+          },
           [&](const NoController&) { return Refuse(row); },
           [&](const Special& effect) {
             return effect.answer({.parameter = parameter,
@@ -196,7 +202,7 @@ ServiceReply Lease::Answer(std::int64_t api_id, std::string_view parameter, std:
   if (api_id != kApply) {
     return {.code = kRpcApiNotImplemented, .refusal = CallRefusal::kUnknownApi};
   }
-  const Field name{.key = "name", .kind = FieldKind::kText, .optional = true};
+  const Field name{.key = "name", .type = &kString};
   if (!DecodeParameter(parameter, {&name, 1})) {
     return {.code = kRpcApiParameter, .refusal = CallRefusal::kParameter};
   }

@@ -63,13 +63,12 @@ class Service {
   std::string_view NameOf(std::int64_t api_id) const;
 
   // Returns false while the program that serves it, or the motion service that it needs, is off.
-  // Requests are then dropped and clients time out (3104), as seen on an H1-2.
   bool IsServed(const authority::MotorOwner& owner) const;
 
   // Checks in the order of the vendor's server: api 1 returns the version; an unknown api gets
   // 3203; a lease held by another client 3205; a bad parameter the service's code. Then the row
-  // takes effect; an exception in it gets 3202. The reply says why it comes to nothing, if it does.
-  // Sets `notice` to a line for the log on what else there is to say, "" for nothing.
+  // takes effect; an exception in it gets 3202. The reply says why it has no effect, if it has
+  // none. Sets `notice` to a line for the log on what else there is to say, "" for nothing.
   ServiceReply Answer(const ServiceRequest& request, authority::MotorOwner* owner, Lease::Time now,
                       std::string* notice);
 

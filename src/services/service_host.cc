@@ -7,22 +7,24 @@
 #include <nlohmann/json.hpp>
 
 #include "services/parameter.h"
+#include "wire/topics.h"
 
 namespace understudy::services {
 namespace {
 
 constexpr std::chrono::seconds kNoticePeriod(1);
-constexpr std::size_t kMostPending = 64;  // assumed
-constexpr std::size_t kMostWaiting = 10;  // the server of the vendor's Python SDK
-constexpr int kMostServed = 8;            // assumed
-constexpr int kPollsPerCount = 10;        // assumed
+constexpr std::chrono::seconds kPicturePatience(10);  // assumed
+constexpr std::size_t kMostPending = 64;              // assumed
+constexpr std::size_t kMostWaiting = 10;              // the server of the vendor's Python SDK
+constexpr int kMostServed = 8;                        // assumed
+constexpr int kPollsPerCount = 10;                    // assumed
 // Assumed: a thousand calls a second, with the process stalled for a quarter of a second.
 constexpr int kReaderDepth = 256;
 // The longest request that is kept: one of the longest parameter and the longest binary part, and
 // as much again, so that those a little too long are answered.
 constexpr std::size_t kMostRequestBytes = 2 * (kMostParameterBytes + kMostBinaryBytes);
 
-// In nanoseconds, as measured (docs/performance.md): with one call more than kMostWork, the
+// In nanoseconds, as measured (docs/dev/performance.md): with one call more than kMostWork, the
 // longest, a poll takes 0.2 ms, a fifth of a tick.
 constexpr std::int64_t kMostWork = 60'000;     // in a poll
 constexpr std::int64_t kWorkOfCall = 10'000;   // without its parameter
@@ -33,34 +35,42 @@ constexpr std::int64_t kWorkOfReader = 1'000;  // of each that is asked whether 
 }  // namespace
 
 ServiceHost::Channel::Channel(const bus::Participant& participant, const std::string& channel_name,
-                              Service* of, bool leases, std::atomic<bool>* mail)
+                              Service* of, bool leases, std::atomic<bool>* mail, Responses* outlet)
     : name(channel_name),
       service(of),
       is_lease(leases),
-      request_topic("rt/api/" + name + "/request"),
-      response_topic("rt/api/" + name + "/response"),
-      reader(participant, {request_topic.c_str(), &unitree_api_msg_dds__Request__desc},
+      reader(participant, {wire::RequestTopic(name).c_str(), &unitree_api_msg_dds__Request__desc},
              {.depth = kReaderDepth, .most_bytes = kMostRequestBytes, .mail = mail}),
-      writer(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc}) {}
+      responses(outlet) {}
 
-ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables,
-                         Log log, const std::vector<std::string>& status_texts)
+ServiceHost::ServiceHost(const bus::Participant& participant, wire::Outlets* outlets,
+                         std::vector<ServiceTable> tables, Log log,
+                         const std::vector<std::string>& status_texts)
     : log_(std::move(log)) {
   for (ServiceTable& table : tables) {
-    const std::string name(table.name);
-    const bool tells_changes = table.tells_changes, has_switch_topics = table.has_switch_topics;
-    Service* service = services_.emplace_back(std::make_unique<Service>(std::move(table))).get();
-    channels_.push_back(std::make_unique<Channel>(participant, name, service, false, &mail_));
-    channels_.push_back(
-        std::make_unique<Channel>(participant, name + "_lease", service, true, &mail_));
-    if (has_switch_topics) switches_.emplace(participant, service, &mail_);
-    if (tells_changes) {
-      config_changes_.emplace(participant, bus::Topic<unitree_go_msg_dds__ConfigChangeStatus_>{
-                                               "rt/config_change_status",
-                                               &unitree_go_msg_dds__ConfigChangeStatus__desc});
-    }
+    services_.push_back(std::make_unique<Service>(std::move(table)));
   }
-  texts_.emplace(participant, status_texts, services_);
+  const std::vector<wire::RobotTopic> topics = wire::ServiceTopics(names(), status_texts);
+  for (const wire::RobotTopic& topic : topics) topics_.push_back(topic.name);
+  std::span<const wire::RobotTopic> left = topics;
+  const auto next = [&left] {
+    const wire::RobotTopic& first = left.front();
+    left = left.subspan(1);
+    return first;
+  };
+  for (const auto& service : services_) {
+    const std::string name(service->table().name);
+    for (const bool leases : {false, true}) {
+      channels_.push_back(std::make_unique<Channel>(
+          participant, leases ? wire::LeaseOf(name) : name, service.get(), leases, &mail_,
+          outlets->Open<unitree_api_msg_dds__Response_>(next())));
+    }
+    if (service->table().has_switch_topics) switches_.emplace(participant, service.get(), &mail_);
+  }
+  if (left.front().name == wire::topic::kConfigChangeStatus.name) {
+    config_changes_ = outlets->Open<unitree_go_msg_dds__ConfigChangeStatus_>(next());
+  }
+  texts_.emplace(outlets, left, services_);
   faults_.resize(services_.size());
 }
 
@@ -70,7 +80,7 @@ std::vector<std::string> ServiceHost::names() const {
   return names;
 }
 
-void ServiceHost::Suffer(std::span<const robot::ServiceEffects> faults) noexcept {
+void ServiceHost::ApplyFaults(std::span<const robot::ServiceEffects> faults) noexcept {
   std::ranges::copy(faults, faults_.begin());
 }
 
@@ -102,6 +112,7 @@ std::span<const Call> ServiceHost::Poll(authority::MotorOwner* owner, WallTime n
   } catch (const std::exception&) {
     // Out of memory: the switch stays as it was.
   }
+  if (pictures_ != nullptr) TakePictures(now);
   // Where the work ends, the next poll goes on with the channel after: a flood of requests to one
   // does not keep the others waiting.
   Work work = kMostWork;
@@ -119,7 +130,21 @@ std::span<const Call> ServiceHost::Poll(authority::MotorOwner* owner, WallTime n
     if (could && work <= 0) next = (at + 1) % channels_.size();
   }
   first_ = next;
+  FollowPrograms(*owner);
   return calls_;
+}
+
+void ServiceHost::FollowPrograms(const authority::MotorOwner& owner) {
+  const auto changed = std::ranges::find_if(channels_, [&](const auto& channel) {
+    return channel->reader.is_open() != IsServed(*channel->service, owner);
+  });
+  if (changed == channels_.end() || !(*changed)->waiting.empty()) return;
+  bus::RawReader<unitree_api_msg_dds__Request_>& reader = (*changed)->reader;
+  try {
+    reader.Open(!reader.is_open());
+  } catch (const std::exception&) {
+    // Out of memory: it is tried again.
+  }
 }
 
 // There are some forty readers, and most ticks bring nothing. The flag is lowered before the
@@ -149,7 +174,7 @@ void ServiceHost::PollChannel(Channel* channel, authority::MotorOwner* owner, Wa
 }
 
 ServiceHost::Work ServiceHost::WorkOfReply(const Channel& channel) {
-  return kWorkOfReply + kWorkOfReader * channel.writer.matched_readers();
+  return kWorkOfReply + kWorkOfReader * channel.responses->readers();
 }
 
 ServiceHost::Work ServiceHost::WorkOf(const Request& request) {
@@ -162,7 +187,7 @@ std::optional<Call> ServiceHost::Answer(std::string_view service, std::int64_t a
                                         WallTime now) noexcept {
   const auto found = std::ranges::find_if(
       services_, [&](const std::unique_ptr<Service>& one) { return one->table().name == service; });
-  if (found == services_.end() || !(*found)->IsServed(*owner) || FaultOf(**found).off) {
+  if (found == services_.end() || !IsServed(**found, *owner) || FaultOf(**found).off) {
     return std::nullopt;
   }
   try {
@@ -217,7 +242,7 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
             .api_id = view.api_id,
             .name = channel->is_lease ? std::string_view() : service.NameOf(view.api_id)};
   const robot::ServiceEffects& fault = FaultOf(service);
-  if (!service.IsServed(*owner) || fault.off) {
+  if (!IsServed(service, *owner) || fault.off) {
     call.code = Call::kNoCode;
     call.refusal = CallRefusal::kNotServed;
     return Tell(call);
@@ -233,8 +258,11 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
                                       owner, now);
   call.code = reply.code;
   call.refusal = reply.refusal;
-  if (!channel->is_lease || reply.refusal != CallRefusal::kNone) Tell(call);
-  if (view.noreply || !request.client) return;
+  const bool answers = !view.noreply && request.client;
+  const PictureSource::Order order =
+      reply.picture && answers && pictures_ != nullptr ? pictures_->Begin(service.table().name) : 0;
+  if (order == 0 && (!channel->is_lease || reply.refusal != CallRefusal::kNone)) Tell(call);
+  if (!answers) return;
   unitree_api_msg_dds__ResponseHeader_ header{};
   header.identity.id = view.id;
   header.identity.api_id = view.api_id;
@@ -244,9 +272,12 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
   Pending pending{.client = *request.client,
                   .header = header,
                   .data = std::move(reply.data),
+                  .order = order,
+                  .call = call,
+                  .picture = nullptr,
                   .once = reply.once,
                   .not_before = not_before,
-                  .give_up = not_before + reply.patience};
+                  .give_up = not_before + (order == 0 ? reply.patience : kPicturePatience)};
   *work -= WorkOfReply(*channel);
   if (Settle(channel, &pending, owner->state(), now)) return;
   if (channel->pending.size() >= kMostPending) {
@@ -266,8 +297,10 @@ ServiceReply ServiceHost::CarryOut(Service* service, const ServiceRequest& reque
 }
 
 void ServiceHost::Announce(ConfigChange change) {
-  if (!config_changes_) return;
-  config_changes_->Write({.name = change.name.data(), .content = change.content.data()});
+  if (config_changes_ == nullptr) return;
+  unitree_go_msg_dds__ConfigChangeStatus_ message{.name = change.name.data(),
+                                                  .content = change.content.data()};
+  config_changes_->Send(&message);
 }
 
 // With half of the work at most, so that replies to clients who have no reader yet do not keep
@@ -285,20 +318,56 @@ void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& own
   }
 }
 
+void ServiceHost::TakePictures(WallTime now) {
+  for (; const Picture* const picture = pictures_->Front(); pictures_->Pop()) {
+    const bool lost = picture->outcome == Picture::Outcome::kLost;
+    for (const auto& channel : channels_) {
+      for (Pending& pending : channel->pending) {
+        if (pending.order != picture->order) continue;
+        const bool drawn = picture->outcome == Picture::Outcome::kDrawn;
+        pending.order = 0;
+        pending.call.code = lost ? Call::kNoCode : drawn ? kRpcOk : pending.call.code;
+        pending.call.refusal = drawn ? CallRefusal::kNone : CallRefusal::kFailed;
+        Tell(pending.call);
+        pending.header.status.code = pending.call.code;
+        pending.picture = picture->jpeg;
+        pending.give_up = std::max(now, pending.not_before) + ServiceReply{}.patience;
+      }
+      if (!lost) continue;
+      std::erase_if(channel->pending, [](const Pending& pending) {
+        return pending.header.status.code == Call::kNoCode;
+      });
+    }
+  }
+}
+
 // Sends the reply, or gives it up; false if it has to wait.
 bool ServiceHost::Settle(Channel* channel, Pending* pending, const robot::MotionState& state,
                          WallTime now) {
   if (now < pending->not_before) return false;
   const bool over = now >= pending->give_up;
+  if (pending->order != 0) {
+    if (!over) return false;
+    pending->call.refusal = CallRefusal::kFailed;
+    Tell(pending->call);
+  }
   if (pending->once != nullptr && !pending->once(state) && !over) return false;
-  const bool reaches = channel->writer.ReachesParticipant(pending->client);
+  const bool reaches = channel->responses->writer().ReachesParticipant(pending->client);
   if (!reaches && !over) return false;
   unitree_api_msg_dds__Response_ response{};
   response.header = pending->header;
   response.data = pending->data.data();
+  if (pending->picture != nullptr) {
+    const auto bytes = static_cast<std::uint32_t>(pending->picture->size());
+    // Cyclone does not write to what it sends.
+    response.binary = {._maximum = bytes,
+                       ._length = bytes,
+                       ._buffer = const_cast<std::uint8_t*>(pending->picture->data()),
+                       ._release = false};
+  }
   // After the wait the reply is sent anyway: there may be a reader whose participant discovery
   // has not reported yet.
-  if (!channel->writer.Write(response) || !reaches) ++counts_.lost_replies;
+  if (!channel->responses->Send(&response) || !reaches) ++counts_.lost_replies;
   return true;
 }
 
@@ -313,14 +382,14 @@ void ServiceHost::Say(const Service& service, std::int64_t api_id, const std::st
 SwitchTopics::SwitchTopics(const bus::Participant& participant, Service* uwb_switch,
                            std::atomic<bool>* mail)
     : uwb_switch_(uwb_switch),
-      lidar_(participant, {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}, {.mail = mail}),
-      uwb_(participant, {"rt/uwbswitch", &unitree_go_msg_dds__UwbSwitch__desc}, {.mail = mail}) {}
+      lidar_(participant, wire::kLidarSwitch, {.mail = mail}),
+      uwb_(participant, wire::kUwbSwitch, {.mail = mail}) {}
 
 void SwitchTopics::Poll(authority::MotorOwner* owner, std::vector<Call>* calls) {
   lidar_.Take([&](const std_msgs_msg_dds__String_& message, bus::WriterHandle) {
     const std::string_view word = message.data == nullptr ? "" : message.data;
     if (word == "ON" || word == "OFF") {
-      owner->Switch("unitree_lidar", word == "ON");
+      owner->Switch(authority::kLidarProgram, word == "ON");
     } else {
       calls->push_back(
           {.service = lidar_.topic(), .code = Call::kNoCode, .refusal = CallRefusal::kName});

@@ -16,20 +16,21 @@
 #include "bus/cdr_sample.h"
 #include "bus/participant.h"
 #include "bus/reader.h"
-#include "bus/writer.h"
 #include "idl/std_msgs.h"
 #include "idl/unitree_api.h"
 #include "idl/unitree_go.h"
+#include "services/picture_source.h"
 #include "services/request.h"
 #include "services/service.h"
 #include "services/service_port.h"
 #include "services/status_texts.h"
+#include "wire/outlets.h"
 
 namespace understudy::services {
 
-// Settings of a Go2 that a message changes instead of a request (docs/sources.md#topics):
+// Settings of a Go2 that a message changes instead of a request (docs/dev/sources.md#topics):
 //   rt/utlidar/switch  String_ "ON" or "OFF": the program unitree_lidar. That robot_state then
-//                      lists it so is assumed; no lidar is modelled.
+//                      lists it so is assumed.
 //   rt/uwbswitch       UwbSwitch_: what uwbswitch SwitchSet sets.
 class SwitchTopics {
  public:
@@ -48,7 +49,7 @@ class SwitchTopics {
 };
 
 // Receives requests, answers them and sends the replies. It never blocks or throws after
-// construction. The rules are the vendor's (docs/sources.md#requests; the server of the Python
+// construction. The rules are the vendor's (docs/dev/sources.md#requests; the server of the Python
 // SDK):
 //
 //   - readers of requests are best effort, writers of replies reliable, as on a robot;
@@ -56,11 +57,16 @@ class SwitchTopics {
 //   - of the first 10 requests to a service those of priority above 0 go first. 256 more wait
 //     behind; where there are more, the oldest is dropped. 8 of a service are served in a poll;
 //   - a request with noreply set is carried out and not answered;
-//   - while a service is not served (Service::IsServed), what comes for it is dropped. Nothing is
-//     dropped or refused silently: Poll returns all of it;
+//   - while a service is not served (Service::IsServed), nobody reads its requests, so that clients
+//     cannot send any (3102). Its readers go and come within a few polls, one channel in each; what
+//     arrives before is dropped;
+//   - a service with the fault `off` is sent requests and answers none (3104). Nothing is dropped
+//   or
+//     refused silently: Poll returns all of it;
 //   - a reply waits until a response reader of the asking participant is matched, 300 ms at most:
 //     response readers are volatile, and ROS 2 clients make theirs with each call. The oldest
 //     waiting reply is given up when 64 wait;
+//   - a reply with a picture waits for it, 10 s at most; requests go on being served meanwhile;
 //   - each service has a lease, asked for on <service>_lease.
 //
 // A poll does a bounded amount of work, so that no tick is late however much comes: kMostWork and
@@ -72,13 +78,14 @@ class ServiceHost final : public ServicePort {
   // Receives lines for the log, at most one a second per api.
   using Log = std::function<void(const std::string& notice)>;
 
-  // `status_texts` are topics as for StatusTexts. Throws BusError, and ConfigError for an unknown
-  // one. `participant` must outlive the host.
-  ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Log log,
+  // Publishes through `outlets`, to which it adds wire::ServiceTopics. Throws BusError, and
+  // ConfigError for an unknown text. `participant` and `outlets` must outlive the host.
+  ServiceHost(const bus::Participant& participant, wire::Outlets* outlets,
+              std::vector<ServiceTable> tables, Log log,
               const std::vector<std::string>& status_texts = {});
 
   // Allocates only if there is a request or a waiting reply. While there is none it only loads a
-  // flag; what was lost or did not decode is told within kPollsPerCount polls.
+  // flag; what was lost or did not decode is reported within kPollsPerCount polls.
   std::span<const Call> Poll(authority::MotorOwner* owner, WallTime now) noexcept override;
   std::optional<Call> Answer(std::string_view service, std::int64_t api_id,
                              std::string_view parameter, authority::MotorOwner* owner,
@@ -86,16 +93,20 @@ class ServiceHost final : public ServicePort {
   void Tell(const authority::MotorOwner& owner, double t) noexcept override;
   void CountUnmatched() override { ++Refused(CallRefusal::kUnmatched); }
   std::vector<std::string> names() const override;
-  void Suffer(std::span<const robot::ServiceEffects> faults) noexcept override;
+  std::vector<std::string> topics() const override { return topics_; }
+  void ApplyFaults(std::span<const robot::ServiceEffects> faults) noexcept override;
 
   ServiceCounts counts() const override { return counts_; }
+
+  // Gives pictures from then on; `source` must outlive the last Poll. Before, there are none.
+  void Attach(PictureSource* source) { pictures_ = source; }
 
   // Returns the readers of requests, which live as long as the host.
   std::vector<const bus::ReaderCore*> readers() const;
 
  private:
-  // The nanoseconds that work takes on the machine of docs/performance.md, where they were measured
-  // and rounded up.
+  // The nanoseconds that work takes on the machine of docs/dev/performance.md, where they were
+  // measured and rounded up.
   using Work = std::int64_t;
 
   struct Request {
@@ -103,24 +114,27 @@ class ServiceHost final : public ServicePort {
     RequestView view;
     std::optional<bus::ParticipantKey> client;  // nullopt if its writer has gone
   };
+  using Responses = wire::Outlet<unitree_api_msg_dds__Response_>;
   struct Pending {
     bus::ParticipantKey client;
     unitree_api_msg_dds__ResponseHeader_ header;
     std::string data;
+    PictureSource::Order order = 0;                 // of a picture that it waits for; 0: none
+    Call call;                                      // to report when the picture is there
+    PictureBytes picture;                           // null: none
     bool (*once)(const robot::MotionState& state);  // null: no condition
     WallTime not_before;
     WallTime give_up;
   };
   struct Channel {
     Channel(const bus::Participant& participant, const std::string& name, Service* of, bool leases,
-            std::atomic<bool>* mail);
+            std::atomic<bool>* mail, Responses* outlet);
 
     std::string name;
     Service* service;
     bool is_lease;
-    std::string request_topic, response_topic;
     bus::RawReader<unitree_api_msg_dds__Request_> reader;
-    bus::Writer<unitree_api_msg_dds__Response_> writer;
+    Responses* responses;
     std::uint64_t undecoded = 0, lost = 0;  // of the reader, told so far
     std::deque<Request> waiting;
     std::deque<Pending> pending;
@@ -131,9 +145,16 @@ class ServiceHost final : public ServicePort {
   std::uint64_t& Refused(CallRefusal refusal) {
     return counts_.refused[static_cast<std::size_t>(refusal)];
   }
+  // Closes or opens the reader of one channel whose service has stopped or started.
+  void FollowPrograms(const authority::MotorOwner& owner);
+  bool IsServed(const Service& service, const authority::MotorOwner& owner) const {
+    return service.IsServed(owner) && !FaultOf(service).absent;
+  }
   void PollChannel(Channel* channel, authority::MotorOwner* owner, WallTime now, Work* work);
   void Receive(Channel* channel);
-  // Counts calls that came to nothing and adds them to calls_.
+  // Hands pictures that are done to the replies that wait for them.
+  void TakePictures(WallTime now);
+  // Counts calls without effect and adds them to calls_.
   void Tell(const Call& call);
   void Serve(Channel* channel, const Request& request, authority::MotorOwner* owner, WallTime now,
              Work* work);
@@ -155,8 +176,10 @@ class ServiceHost final : public ServicePort {
   std::vector<robot::ServiceEffects> faults_;  // by services_
   std::vector<std::unique_ptr<Channel>> channels_;
   std::optional<SwitchTopics> switches_;  // for robots that have them
-  std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
-  std::optional<StatusTexts> texts_;  // made once services_ are
+  wire::Outlet<unitree_go_msg_dds__ConfigChangeStatus_>* config_changes_ = nullptr;  // null: none
+  std::vector<std::string> topics_;
+  PictureSource* pictures_ = nullptr;  // null: none
+  std::optional<StatusTexts> texts_;   // made once services_ are
   Log log_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> said_;
   std::size_t first_ = 0;    // the channel that the next poll begins with

@@ -64,8 +64,11 @@ class ServicePort {
 
   // Returns the names of the services.
   virtual std::vector<std::string> names() const = 0;
+  // Returns the topics on which the robot's services and programs publish, as in
+  // wire::LinkFaults::publications.
+  virtual std::vector<std::string> topics() const = 0;
   // What is wrong with them from now on, in the order of names(). Allocates nothing.
-  virtual void Suffer(std::span<const robot::ServiceEffects> faults) noexcept = 0;
+  virtual void ApplyFaults(std::span<const robot::ServiceEffects> faults) noexcept = 0;
 
   virtual ServiceCounts counts() const = 0;
 };

@@ -7,9 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/errors.h"
-#include "base/nearest_word.h"
-
 namespace understudy::services {
 namespace {
 
@@ -28,7 +25,8 @@ json SettingOf(Services services, std::string_view service, std::string_view set
 
 constexpr double kSlack = 1e-6;  // s: far below a step
 
-// When it is due again that was due at `due` and is told at t, where some may have been left out.
+// When a text is due again that was due at `due` and is published at t; some may have been left
+// out.
 double NextAfter(double t, double due, double period) {
   return due + period * std::max(1.0, std::ceil((t + kSlack - due) / period));
 }
@@ -39,23 +37,21 @@ json OrElse(const json& value, const json& otherwise) {
 
 }  // namespace
 
-// Topics, rates and keys: seen on Go2 and G1 (docs/sources.md#notes-on-real-robots). The values of
-// multiplestate are the services' settings, as its keys say; that those of the others stay as they
-// were seen, without a network, satellites or sound, is assumed, and so is the rate of
-// public_network_status.
+// Keys: seen on Go2 and G1 (docs/dev/sources.md#notes-on-real-robots). The values of multiplestate
+// are the services' settings, as its keys say; that those of the others stay as they were seen,
+// without a network, satellites or sound, is assumed.
 struct StatusTexts::Row {
-  std::string_view topic;
-  double hz;
+  wire::TopicName topic;
   Text text;
 };
 
 std::span<const StatusTexts::Row> StatusTexts::Rows() {
   static constexpr Row kRows[] = {
-      {"rt/rtc/state", 1,
+      {wire::topic::kRtcState,
        [](Services) {
          return json{{"connection_state", "not_connected"}}.dump();
        }},
-      {"rt/multiplestate", 1,
+      {wire::topic::kMultipleState,
        [](Services services) {
          const json uwb = OrElse(SettingOf(services, "uwbswitch", "enable"), 0);
          return json{{"brightness", OrElse(SettingOf(services, "vui", "brightness"), 0)},
@@ -65,18 +61,18 @@ std::span<const StatusTexts::Row> StatusTexts::Rows() {
                      {"volume", OrElse(SettingOf(services, "vui", "volume"), 0)}}
              .dump();
        }},
-      {"rt/gnss", 1,
+      {wire::topic::kGnss,
        [](Services) {
          return json{{"fixed", 0},           {"hdop", 0},
                      {"latitude", 0},        {"longitude", 0},
                      {"satellite_inuse", 0}, {"satellite_total", 0}}
              .dump();
        }},
-      {"rt/audiohub/player/state", 4,
+      {wire::topic::kAudioPlayerState,
        [](Services) {
          return json{{"is_playing", false}, {"play_state", "not_in_use"}}.dump();
        }},
-      {"rt/public_network_status", 1,
+      {wire::topic::kPublicNetworkStatus,
        [](Services) {
          return std::string(R"({"network_status": "NetworkStatus.ON_WIFI_CONNECTED"})");
        }},
@@ -84,31 +80,25 @@ std::span<const StatusTexts::Row> StatusTexts::Rows() {
   return kRows;
 }
 
-StatusTexts::StatusTexts(const bus::Participant& participant,
-                         const std::vector<std::string>& topics,
+StatusTexts::StatusTexts(wire::Outlets* outlets, std::span<const wire::RobotTopic> topics,
                          std::span<const std::unique_ptr<Service>> services)
-    : services_(services),
-      report_(participant, {"rt/servicestate", &std_msgs_msg_dds__String__desc}) {
-  for (const std::string& topic : topics) {
-    const auto row = std::ranges::find(Rows(), std::string_view(topic), &Row::topic);
-    if (row == Rows().end()) {
-      std::vector<std::string> words;
-      for (const Row& known : Rows()) words.emplace_back(known.topic);
-      throw ConfigError("robot.status_texts: no topic '" + topic + "'" + DidYouMean(topic, words));
-    }
-    outlets_.push_back({.writer = {participant, {topic.c_str(), &std_msgs_msg_dds__String__desc}},
-                        .text = row->text,
-                        .period = 1 / row->hz});
+    : services_(services) {
+  for (const wire::RobotTopic& topic : topics) {
+    Outlet* const outlet = outlets->Open<std_msgs_msg_dds__String_>(topic);
+    const auto row = std::ranges::find(Rows(), std::string_view(topic.name),
+                                       [](const Row& one) { return one.topic.name; });
+    if (row != Rows().end()) texts_.push_back({.outlet = outlet, .text = row->text});
+    report_ = outlet;
   }
 }
 
 void StatusTexts::Tell(const authority::MotorOwner& owner, double t) {
-  for (Outlet& outlet : outlets_) {
-    if (t < outlet.next - kSlack) continue;
-    outlet.next = NextAfter(t, outlet.next, outlet.period);
-    if (outlet.writer.has_readers()) Send(outlet.text(services_), &outlet.writer);
+  for (Told& told : texts_) {
+    if (t < told.next - kSlack) continue;
+    told.next = NextAfter(t, told.next, 1 / told.outlet->topic().hz);
+    if (told.outlet->has_readers()) Send(told.text(services_), told.outlet);
   }
-  const authority::ProgramReport& report = owner.report();
+  const authority::ProgramReport& report = owner.onboard().report;
   if (std::exchange(asked_, report.asked) != report.asked) {
     next_report_ = t;
     last_report_ = report.interval <= 0  ? -1
@@ -117,11 +107,12 @@ void StatusTexts::Tell(const authority::MotorOwner& owner, double t) {
   }
   if (t < next_report_ - kSlack || t > last_report_ + kSlack) return;
   next_report_ = NextAfter(t, next_report_, report.interval);
-  if (report_.has_readers()) Send(ProgramList(owner.services()), &report_);
+  if (report_->has_readers()) Send(ProgramList(owner.services()), report_);
 }
 
-void StatusTexts::Send(std::string text, bus::Writer<std_msgs_msg_dds__String_>* writer) {
-  writer->Write({.data = text.data()});
+void StatusTexts::Send(std::string text, Outlet* outlet) {
+  std_msgs_msg_dds__String_ message{.data = text.data()};
+  outlet->Send(&message);
 }
 
 std::string ProgramList(std::span<const authority::OnboardService> services) {

@@ -4,25 +4,23 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "authority/motor_owner.h"
-#include "bus/participant.h"
-#include "bus/writer.h"
 #include "idl/std_msgs.h"
 #include "services/service.h"
+#include "wire/outlets.h"
 
 namespace understudy::services {
 
 // Publishes JSON texts (std_msgs String_) on the topics of robot.status_texts, each at its rate of
-// simulated time, and the list of the robot's programs on rt/servicestate for as long as somebody
-// has asked for it (robot_state SetReportFreq).
+// simulated time (wire::kStatusTexts), and the list of the robot's programs on rt/servicestate for
+// as long as somebody has asked for it (robot_state SetReportFreq).
 class StatusTexts {
  public:
-  // `topics` are those of the rows in status_texts.cc; `services` are all of the robot and must
-  // outlive this. Throws ConfigError for an unknown topic and BusError.
-  StatusTexts(const bus::Participant& participant, const std::vector<std::string>& topics,
+  // `topics` are those of wire::ServiceTopics that have a text, and rt/servicestate, which is the
+  // last; `services` are all of the robot and must outlive this. Throws BusError.
+  StatusTexts(wire::Outlets* outlets, std::span<const wire::RobotTopic> topics,
               std::span<const std::unique_ptr<Service>> services);
 
   // Publishes what is due at t [s], which must not go back, where somebody reads it. Allocates only
@@ -31,20 +29,20 @@ class StatusTexts {
 
  private:
   using Text = std::string (*)(std::span<const std::unique_ptr<Service>> services);
-  struct Outlet {
-    bus::Writer<std_msgs_msg_dds__String_> writer;
+  using Outlet = wire::Outlet<std_msgs_msg_dds__String_>;
+  struct Told {
+    Outlet* outlet;
     Text text;
-    double period;    // s
     double next = 0;  // s
   };
   struct Row;
 
   static std::span<const Row> Rows();
-  static void Send(std::string text, bus::Writer<std_msgs_msg_dds__String_>* writer);
+  static void Send(std::string text, Outlet* outlet);
 
   std::span<const std::unique_ptr<Service>> services_;
-  std::vector<Outlet> outlets_;
-  bus::Writer<std_msgs_msg_dds__String_> report_;
+  std::vector<Told> texts_;
+  Outlet* report_ = nullptr;
   std::uint64_t asked_ = 0;                    // requests for reports that were seen
   double next_report_ = 0, last_report_ = -1;  // s
 };

@@ -92,7 +92,8 @@ class Binder {
 
   std::size_t PlaceOf(Signal signal) {
     const auto known = std::ranges::find_if(*signals_, [&signal](const Signal& other) {
-      return other.name == signal.name && other.source == signal.source;
+      return other.name == signal.name && other.source == signal.source &&
+             other.robot == signal.robot;
     });
     const auto place = static_cast<std::size_t>(known - signals_->begin());
     if (known == signals_->end()) signals_->push_back(std::move(signal));

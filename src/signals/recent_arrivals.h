@@ -1,4 +1,4 @@
-// How often messages came of late.
+// Message rate over a sliding window.
 #pragma once
 
 #include <cstddef>

@@ -8,21 +8,22 @@
 
 #include "judge/margin.h"
 #include "robot/command_topics.h"
-#include "wire/imu_codec.h"
+#include "wire/robot_topics.h"
+#include "wire/roll_pitch_yaw.h"
 #include "wire/rounded.h"
 
 namespace understudy::signals {
 namespace {
 
-// The free joint of the robot comes first in qpos: position and attitude (w, x, y, z); in qvel the
-// velocity of the base in the world and its angular velocity in its own axes.
-Eigen::Quaterniond Attitude(const Truth& t) { return {t.qpos[3], t.qpos[4], t.qpos[5], t.qpos[6]}; }
-double Angle(const Truth& t, int axis) { return wire::RollPitchYaw(Attitude(t))[axis]; }
-Eigen::Vector3d UpInWorld(const Truth& t) { return Attitude(t) * Eigen::Vector3d::UnitZ(); }
+Eigen::Quaterniond Attitude(const TruthView& t) {
+  return {t.base_position[3], t.base_position[4], t.base_position[5], t.base_position[6]};
+}
+double Angle(const TruthView& t, int axis) { return wire::RollPitchYaw(Attitude(t))[axis]; }
+Eigen::Vector3d UpInWorld(const TruthView& t) { return Attitude(t) * Eigen::Vector3d::UnitZ(); }
 // Of the base along its heading and to its left.
-Eigen::Vector2d Level(const Truth& t) {
+Eigen::Vector2d Level(const TruthView& t) {
   const double yaw = Angle(t, 2);
-  return Eigen::Rotation2Dd(-yaw) * Eigen::Vector2d(t.qvel[0], t.qvel[1]);
+  return Eigen::Rotation2Dd(-yaw) * Eigen::Vector2d(t.base_velocity[0], t.base_velocity[1]);
 }
 double At(std::span<const double> values, std::size_t index) {
   return index < values.size() ? values[index] : judge::kUnknown;
@@ -58,49 +59,56 @@ double WindingInHgLowState(const robot::RobotState& sample, std::size_t joint) {
 using enum Signal::Source;
 
 constexpr std::string_view kLowCmd = robot::kCommandTopicNames[robot::kLowCmdTopic];
-constexpr std::string_view kLowState = "rt/lowstate";
+constexpr std::string_view kLowState = wire::topic::kGoLowState.name;
 
 constexpr SignalRow kRows[] = {
     {"base.x", "", "m", kTruth, "Position of the base in the world",
-     [](const Truth& t, std::size_t) { return t.qpos[0]; }},
-    {"base.y", "", "m", kTruth, "likewise", [](const Truth& t, std::size_t) { return t.qpos[1]; }},
-    {"base.height", "", "m", kTruth, "likewise: z, over the origin of the world",
-     [](const Truth& t, std::size_t) { return t.qpos[2]; }},
+     [](const TruthView& t, std::size_t) { return t.base_position[0]; }},
+    {"base.y", "", "m", kTruth, "Position of the base in the world",
+     [](const TruthView& t, std::size_t) { return t.base_position[1]; }},
+    {"base.height", "", "m", kTruth, "Height of the base over the origin of the world",
+     [](const TruthView& t, std::size_t) { return t.base_position[2]; }},
     {"base.roll", "", "rad", kTruth, "Attitude of the base",
-     [](const Truth& t, std::size_t) { return Angle(t, 0); }},
-    {"base.pitch", "", "rad", kTruth, "likewise",
-     [](const Truth& t, std::size_t) { return Angle(t, 1); }},
-    {"base.yaw", "", "rad", kTruth, "likewise, from -π to π",
-     [](const Truth& t, std::size_t) { return Angle(t, 2); }},
+     [](const TruthView& t, std::size_t) { return Angle(t, 0); }},
+    {"base.pitch", "", "rad", kTruth, "Attitude of the base",
+     [](const TruthView& t, std::size_t) { return Angle(t, 1); }},
+    {"base.yaw", "", "rad", kTruth, "Attitude of the base, from -π to π",
+     [](const TruthView& t, std::size_t) { return Angle(t, 2); }},
     {"base.tilt", "", "rad", kTruth, "Angle between the z axes of base and world",
-     [](const Truth& t, std::size_t) { return std::acos(std::clamp(UpInWorld(t).z(), -1., 1.)); }},
+     [](const TruthView& t, std::size_t) {
+       return std::acos(std::clamp(UpInWorld(t).z(), -1., 1.));
+     }},
     {"base.forward", "", "m/s", kTruth, "Velocity of the base along its heading",
-     [](const Truth& t, std::size_t) { return Level(t).x(); }},
-    {"base.left", "", "m/s", kTruth, "likewise, to the left of its heading",
-     [](const Truth& t, std::size_t) { return Level(t).y(); }},
-    {"base.up", "", "m/s", kTruth, "likewise, upwards",
-     [](const Truth& t, std::size_t) { return t.qvel[2]; }},
+     [](const TruthView& t, std::size_t) { return Level(t).x(); }},
+    {"base.left", "", "m/s", kTruth, "Velocity of the base to the left of its heading",
+     [](const TruthView& t, std::size_t) { return Level(t).y(); }},
+    {"base.up", "", "m/s", kTruth, "Velocity of the base upwards",
+     [](const TruthView& t, std::size_t) { return t.base_velocity[2]; }},
     {"base.speed", "", "m/s", kTruth, "Horizontal speed of the base",
-     [](const Truth& t, std::size_t) { return std::hypot(t.qvel[0], t.qvel[1]); }},
+     [](const TruthView& t, std::size_t) {
+       return std::hypot(t.base_velocity[0], t.base_velocity[1]);
+     }},
     {"base.turn", "", "rad/s", kTruth, "Rate of turning about the world's z axis",
-     [](const Truth& t, std::size_t) {
-       return (Attitude(t) * Eigen::Vector3d(t.qvel[3], t.qvel[4], t.qvel[5])).z();
+     [](const TruthView& t, std::size_t) {
+       return (Attitude(t) *
+               Eigen::Vector3d(t.base_velocity[3], t.base_velocity[4], t.base_velocity[5]))
+           .z();
      }},
     {"torque", "JOINT", "N·m", kTruth, "Torque that acts at a joint",
-     [](const Truth& t, std::size_t joint) { return At(t.tau, joint); }},
+     [](const TruthView& t, std::size_t joint) { return At(t.tau, joint); }},
     {.word = "torque_share",
      .argument = "JOINT",
      .unit = "",
      .source = kTruth,
-     .says = "likewise its size, as a share of the motor's torque_limit",
-     .of = [](const Truth& t, std::size_t joint) { return At(t.tau, joint); },
+     .says = "Size of that torque, as a share of the motor's torque_limit",
+     .of = [](const TruthView& t, std::size_t joint) { return At(t.tau, joint); },
      .share = true},
     {"foot_force", "FOOT", "N", kTruth, "What presses on a foot",
-     [](const Truth& t, std::size_t foot) { return At(t.foot_force, foot); }},
+     [](const TruthView& t, std::size_t foot) { return At(t.foot_force, foot); }},
     {"feet.force", "", "N", kTruth, "What presses on all feet",
-     [](const Truth& t, std::size_t) { return Sum(t.foot_force); }},
+     [](const TruthView& t, std::size_t) { return Sum(t.foot_force); }},
     {"crane.tension", "", "N", kTruth, "Pull of the tether, 0 off the crane",
-     [](const Truth& t, std::size_t) { return t.crane_tension; }},
+     [](const TruthView& t, std::size_t) { return t.crane_tension; }},
     {.word = "q",
      .argument = "JOINT",
      .unit = "rad",
@@ -114,7 +122,7 @@ constexpr SignalRow kRows[] = {
      .argument = "JOINT",
      .unit = "rad/s",
      .source = kField,
-     .says = "likewise its rate",
+     .says = "Rate of a joint in rt/lowstate",
      .of_sample = [](const robot::RobotState& s,
                      std::size_t joint) { return InLowState(s, joint, &robot::MotorReading::dq); },
      .topic = kLowState,
@@ -123,7 +131,7 @@ constexpr SignalRow kRows[] = {
      .argument = "JOINT",
      .unit = "N·m",
      .source = kField,
-     .says = "likewise its torque",
+     .says = "Torque of a joint in rt/lowstate",
      .of_sample = TorqueInLowState,
      .topic = kLowState,
      .field = "tau_est"},
@@ -131,7 +139,7 @@ constexpr SignalRow kRows[] = {
      .argument = "JOINT",
      .unit = "",
      .source = kField,
-     .says = "likewise the size of that torque, as a share of the motor's torque_limit",
+     .says = "Size of that torque, as a share of the motor's torque_limit",
      .of_sample = TorqueInLowState,
      .topic = kLowState,
      .field = "tau_est",
@@ -140,7 +148,7 @@ constexpr SignalRow kRows[] = {
      .argument = "JOINT",
      .unit = "°C",
      .source = kField,
-     .says = "likewise the motor's temperature; in the hg family that of its winding",
+     .says = "Temperature of a motor in rt/lowstate; in the hg family that of its winding",
      .of_sample = HottestInGoLowState,
      .of_hg_sample = WindingInHgLowState,
      .topic = kLowState,

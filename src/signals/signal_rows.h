@@ -21,7 +21,7 @@ struct SignalRow {
   Signal::Source source;
   std::string_view says;
   // kTruth: its value; `index` is that of the joint or foot.
-  double (*of)(const Truth& truth, std::size_t index) = nullptr;
+  double (*of)(const TruthView& truth, std::size_t index) = nullptr;
   // kField: its value in the sample of which the message is made.
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
   // Of the hg family, where that is another.

@@ -1,13 +1,15 @@
 #include "signals/signals.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/nearest_word.h"
 #include "emulator/event_table.h"
-#include "emulator/robot.h"
+#include "emulator/request.h"
+#include "robot/command_topics.h"
+#include "services/api_names.h"
 #include "signals/signal_rows.h"
-#include "wire/states.h"
-#include "wire/topics.h"
+#include "wire/robot_topics.h"
 
 namespace understudy::signals {
 namespace {
@@ -133,6 +135,12 @@ Result<Signal> FieldOf(Signal signal, const std::string& topic, const std::strin
   return signal;
 }
 
+// Whether a signal is the same of all robots of a world.
+bool IsOfWorld(const Signal& signal) {
+  const EventRow* row = signal.origin() == Origin::kEvents ? FindEvent(signal.topic) : nullptr;
+  return row != nullptr && emulator::IsOfWorld(row->kind);
+}
+
 // "word(argument)" in two; the argument is "" if there is none.
 std::pair<std::string, std::string> Split(const std::string& subject) {
   const std::size_t open = subject.find('(');
@@ -149,7 +157,7 @@ Result<Signal> OfJoint(const SignalRow& row, std::size_t joint, Signal signal, c
   signal.of_sample = winding ? row.of_hg_sample : row.of_sample;
   if (names.any_robot) return signal;
   if (joint >= names.slots.size()) {
-    return Error{signal.topic + " does not tell of " + names.joints[joint]};
+    return Error{signal.topic + " does not have " + names.joints[joint]};
   }
   signal.field = "motor_state[" + std::to_string(names.slots[joint]) + "]." +
                  std::string(row.field) + (winding ? "[1]" : "");
@@ -161,6 +169,7 @@ Result<Signal> OfRow(const SignalRow& row, const std::string& argument, Signal s
   signal.source = row.source;
   signal.unit = row.unit;
   signal.of = row.of;
+  signal.of_base = row.word.starts_with("base.");
   signal.topic = row.topic;
   if (row.source == Signal::Source::kFirstJump) signal.slots = names.slots;
   if (row.source == Signal::Source::kEventField) {
@@ -185,72 +194,10 @@ Result<Signal> OfRow(const SignalRow& row, const std::string& argument, Signal s
   return signal;
 }
 
-}  // namespace
-
-Names RunningNames(const robot::RobotSpec& spec) {
-  Names names;
-  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
-    names.joints.push_back(motor->joint);
-    names.torque_limits.push_back(motor->torque_limit);
-  }
-  for (const robot::MotorSpec& motor : spec.motors) names.slots.push_back(motor.slot);
-  for (const robot::FootSpec& foot : spec.feet) names.feet.push_back(foot.name);
-  for (const std::string& topic : emulator::CommandTopics(spec)) {
-    if (!topic.empty()) names.topics.emplace(topic, "");
-  }
-  names.hg = spec.family == robot::WireFamily::kHg;
-  return names;
-}
-
-Names RunningNames() {
-  Names names{.any_robot = true};
-  for (const std::string_view topic : robot::kCommandTopicNames) names.topics.emplace(topic, "");
-  return names;
-}
-
-Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field) {
-  Names names = RunningNames(spec);
-  names.wrong_field = wrong_field;
-  names.topics.clear();
-  const auto add = [&names](const std::string& topic, const dds_topic_descriptor* type) {
-    names.topics.emplace(topic, bus::TypeName(*type));
-  };
-  const auto hear = [&add](const auto&... topics) { (add(topics.name, topics.descriptor), ...); };
-  if (spec.family == robot::WireFamily::kGo) {
-    hear(wire::kGoLowCmd, wire::kGoArmSdk);
-  } else {
-    hear(wire::kHgLowCmd, wire::kHgArmSdk, wire::kUserLowCmd);
-  }
-  for (const robot::HandSpec& hand : spec.hands) {
-    add("rt/" + hand.topic + "/cmd", &unitree_hg_msg_dds__HandCmd__desc);
-  }
-  for (const wire::StateTopic& topic : wire::StateTopics(spec)) add(topic.name, topic.type);
-  return names;
-}
-
-Origin Signal::OriginOf(Source source) {
-  using enum Source;
-  switch (source) {
-    case kTruth:
-      return Origin::kTruth;
-    case kField:
-    case kGap:
-    case kRate:
-    case kFirstJump:
-    case kArrival:
-      return Origin::kMessages;
-    case kEventField:
-    case kEvent:
-    case kPrint:
-    case kEventCount:
-      break;
-  }
-  return Origin::kEvents;
-}
-
-Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& names) {
+// Finds a signal of the robot of `names`.
+Result<Signal> FindOwn(const judge::Comparison& comparison, const Names& names) {
   const std::string& subject = comparison.subject;
-  Signal signal{.name = subject};
+  Signal signal{.name = subject, .robot = names.number};
   if (comparison.relation == judge::Relation::kHappens) {
     return EventNumber(std::move(signal), Signal::Source::kEvent, subject);
   }
@@ -289,6 +236,107 @@ Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& name
   return Error{
       "no signal '" + subject + "'" +
       (hint.empty() ? "; there are words such as base.height, TOPIC:FIELD, EVENT.FIELD" : hint)};
+}
+
+}  // namespace
+
+Names RunningNames(const robot::RobotSpec& spec) {
+  Names names;
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
+    names.joints.push_back(motor->joint);
+    names.torque_limits.push_back(motor->torque_limit);
+  }
+  for (const robot::MotorSpec& motor : spec.motors) names.slots.push_back(motor.slot);
+  for (const robot::FootSpec& foot : spec.feet) names.feet.push_back(foot.name);
+  for (const std::string& topic : robot::CommandTopicNames(spec)) {
+    if (!topic.empty()) names.topics.emplace(topic, "");
+  }
+  names.hg = spec.family == robot::WireFamily::kHg;
+  return names;
+}
+
+Names RunningNames() {
+  Names names{.any_robot = true};
+  for (const std::string_view topic : robot::kCommandTopicNames) names.topics.emplace(topic, "");
+  return names;
+}
+
+Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field) {
+  Names names = RunningNames(spec);
+  names.wrong_field = wrong_field;
+  names.topics.clear();
+  for (const wire::RobotTopic& topic : wire::CommandTopics(spec)) {
+    if (!topic.name.empty()) names.topics.emplace(topic.name, topic.type);
+  }
+  const std::vector<std::string> services = services::ServiceNames(spec.apis);
+  for (const wire::RobotTopic& topic : wire::PublishedTopics(spec, services)) {
+    names.topics.emplace(topic.name, topic.type);
+  }
+  return names;
+}
+
+Names Joined(std::vector<Names> robots) {
+  for (std::size_t i = 0; i < robots.size(); ++i) robots[i].number = i;
+  if (robots.size() == 1) robots.front().robot.clear();
+  Names first = std::move(robots.front());
+  robots.erase(robots.begin());
+  first.others = std::move(robots);
+  return first;
+}
+
+Origin Signal::OriginOf(Source source) {
+  using enum Source;
+  switch (source) {
+    case kTruth:
+      return Origin::kTruth;
+    case kField:
+    case kGap:
+    case kRate:
+    case kFirstJump:
+    case kArrival:
+      return Origin::kMessages;
+    case kEventField:
+    case kEvent:
+    case kPrint:
+    case kEventCount:
+      break;
+  }
+  return Origin::kEvents;
+}
+
+std::optional<Names> Names::Of(std::string_view name) const {
+  if (robot == name) return *this;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (others[i].robot != name) continue;
+    Names found = others[i];
+    found.others = others;
+    found.others[i] = *this;
+    found.others[i].others.clear();
+    return found;
+  }
+  return std::nullopt;
+}
+
+Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& names) {
+  const std::string& subject = comparison.subject;
+  const std::size_t end = subject.find(':');
+  const std::string robot = subject.substr(0, end);
+  // Any name may be that of another robot.
+  const bool any = names.any_robot && robot.find('/') == std::string::npos;
+  std::optional<Names> named;
+  if (end != std::string::npos && any) named = names;
+  if (end != std::string::npos && !names.robot.empty()) named = names.Of(robot);
+  if (named) {
+    judge::Comparison stripped = comparison;
+    stripped.subject.erase(0, end + 1);
+    auto found = FindOwn(stripped, *named);
+    if (found) found->name = subject;
+    return found;
+  }
+  auto found = FindOwn(comparison, names);
+  if (!found || !names.of_none || IsOfWorld(*found)) return found;
+  return Error{"'" + subject + "' is of which robot? expected such as " + names.robot + ":" +
+               subject};
 }
 
 Result<double> ScaleTo(const std::string& unit, const std::string& from) {

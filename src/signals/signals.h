@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,8 +18,9 @@
 namespace understudy::signals {
 
 // The simulation's truth at an instant, as a recording has it (record/truth.h).
-struct Truth {
-  std::span<const double> qpos, qvel;  // the robot's free joint first
+struct TruthView {
+  // Of the base, as physics::RobotBody has them; empty if it is fixed.
+  std::span<const double> base_position, base_velocity;
   std::span<const double> tau;         // N·m at the joints, in motor order
   std::span<const double> foot_force;  // N, in the order of robot.feet
   double crane_tension = 0;            // N
@@ -44,14 +46,24 @@ struct Names {
   WrongField wrong_field = nullptr;
   bool program = true;     // a program runs beside it, whose lines are heard
   bool any_robot = false;  // it is not known which: any joint, foot and hand will do
+  // Where there are several: its name and number in the world, and the others.
+  std::string robot{};
+  std::size_t number = 0;
+  std::vector<Names> others{};
+  bool of_none = false;  // conditions are about no robot in particular: each signal names its own
+
+  // Returns the same of another robot of the world, by its name; nullopt if there is none.
+  std::optional<Names> Of(std::string_view name) const;
 };
 
 // Of a running robot. Its topics are those of commands.
 Names RunningNames(const robot::RobotSpec& spec);
-// The same where nobody knows yet which robot it will be.
+// The same where nobody knows yet which robot it will be, nor which others there are.
 Names RunningNames();
 // Of a recording, with the topics of commands and those of the robot's publications.
 Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field);
+// Returns the names of the first of the robots of a world, of which each has its name there.
+Names Joined(std::vector<Names> robots);
 
 // A signal that a condition names.
 struct Signal {
@@ -68,11 +80,13 @@ struct Signal {
     kEventCount,  // their number so far
   };
 
-  std::string name;  // as the condition has it
+  std::string name;       // as the condition has it
+  std::size_t robot = 0;  // its number in the world
   std::string unit{};
   Source source = Source::kTruth;
-  double (*of)(const Truth& truth, std::size_t index) = nullptr;                      // kTruth
+  double (*of)(const TruthView& truth, std::size_t index) = nullptr;                  // kTruth
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;  // kField
+  bool of_base = false;  // kTruth: of one that is free to move
   std::size_t index = 0;
   std::string topic{}, field{};  // of messages, on the wire; of events kind and field
   std::string printed{};         // kPrint
@@ -88,7 +102,8 @@ struct Signal {
   }
 };
 
-// Finds what a comparison is about. An Error has the nearest word.
+// Finds what a comparison is about: NAME:WORD is of the robot of that name, else it is of the robot
+// of `names`. An Error has the nearest word.
 Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& names);
 
 // Returns the factor from the unit of a signal to another: 57.3 from rad to deg. An Error lists the

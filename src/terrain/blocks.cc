@@ -7,8 +7,8 @@ namespace understudy::terrain {
 namespace {
 
 // The curricula of Isaac Lab and legged_gym both end at a grade of 0.4 and at stairs of 0.23 m
-// rise; Isaac Lab's treads are 0.3 m deep, legged_gym's gaps are up to 1 m wide (docs/terrain.md).
-// The other figures are assumed.
+// rise; Isaac Lab's treads are 0.3 m deep, legged_gym's gaps are up to 1 m wide
+// (docs/reference/terrain.md). The other figures are assumed.
 constexpr double kMostGrade = 0.4;
 constexpr double kRise = 0.01, kRiseByDifficulty = 0.22;  // m
 constexpr double kTread = 0.3;                            // m

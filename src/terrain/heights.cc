@@ -10,8 +10,8 @@
 namespace understudy::terrain {
 namespace {
 
-// The height fields of Isaac Lab and legged_gym have 0.1 m cells (docs/terrain.md). The other
-// figures are assumed.
+// The height fields of Isaac Lab and legged_gym have 0.1 m cells (docs/reference/terrain.md). The
+// other figures are assumed.
 constexpr double kCell = 0.1;                       // m
 constexpr double kRoughness = 0.1;                  // m up and down at difficulty 1
 constexpr double kScales[] = {1.6, 0.8, 0.4, 0.2};  // m, of the noise; each half as strong

@@ -38,8 +38,8 @@ struct Stretch {
   double image_height = 0;  // m
 };
 
-// Each adds its ground and returns the height [m] at its end. docs/terrain.md has the figures and
-// their sources.
+// Each adds its ground and returns the height [m] at its end. docs/reference/terrain.md has the
+// figures and their sources.
 
 // Blocks (blocks.cc)
 double AddFlat(const Stretch& s, TerrainPieces* pieces);

@@ -8,7 +8,7 @@ namespace understudy::terrain {
 namespace {
 
 // Isaac Lab's grid of boxes has 0.45 m pitch; legged_gym's discrete obstacles reach 0.25 m
-// (docs/terrain.md). The rest is assumed.
+// (docs/reference/terrain.md). The rest is assumed.
 constexpr double kStonePitch = 0.6;                         // m
 constexpr double kGapByDifficulty = 0.4;                    // m, part of the pitch
 constexpr double kStoneUnevenness = 0.05;                   // m up or down at difficulty 1

@@ -21,8 +21,8 @@ struct TerrainPatch {
   std::string image{};     // "": the spec's
 };
 
-// The parameters of a ground. Each field is a YAML key of the same name; docs/terrain.md has the
-// effect of difficulty on each kind.
+// The parameters of a ground. Each field is a YAML key of the same name; docs/reference/terrain.md
+// has the effect of difficulty on each kind.
 struct TerrainSpec {
   double difficulty = 0.5;  // 0 nearly flat .. 1 the hardest
   double friction = 0;      // of every contact with the ground; 0: the larger of 0.8 and the foot's

@@ -47,7 +47,7 @@ Wait Pacer::WaitFor(std::int64_t step, Clock::Time most) {
   return wait;
 }
 
-Wait Pacer::Follow(const Pace& pace, std::int64_t step, Clock::Time most) {
+Wait Pacer::WaitFor(const Pace& pace, std::int64_t step, Clock::Time most) {
   if (pace.stands_still()) {
     still_ = true;
     reading_.lateness = 0;
@@ -57,6 +57,13 @@ Wait Pacer::Follow(const Pace& pace, std::int64_t step, Clock::Time most) {
   }
   if (still_ || pace.speed != speed_) Resume(step, pace.speed);
   return WaitFor(step, most);
+}
+
+Wait Pacer::Hold(std::int64_t step, Clock::Time most) {
+  clock_->SleepUntil(clock_->Now() + most);
+  start_ = clock_->Now();
+  start_step_ = step;
+  return {};
 }
 
 void Pacer::Resume(std::int64_t step, double speed) {

@@ -50,7 +50,11 @@ class Pacer {
 
   // The same at the speed of `pace`; while `pace` stands still it waits for `most` and is not due.
   // After a change of pace `step` is due at once.
-  Wait Follow(const Pace& pace, std::int64_t step, Clock::Time most);
+  Wait WaitFor(const Pace& pace, std::int64_t step, Clock::Time most);
+
+  // Waits for `most` while step `step` may not be made; it is due at once afterwards, and not late.
+  // Returns a wait that is not due.
+  Wait Hold(std::int64_t step, Clock::Time most);
 
   // Restarts the deadlines at the given speed: `step` is due at once.
   void Resume(std::int64_t step, double speed);

@@ -20,7 +20,7 @@ RealtimeGrant RequestRealtime() {
   grant.fifo = sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameter) == 0;
   grant.text = grant.fifo ? "SCHED_FIFO granted"
                           : std::string("SCHED_FIFO not granted (") + std::strerror(errno) +
-                                "; see docs/realtime.md)";
+                                "; see docs/reference/realtime.md)";
   grant.locked = mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
   grant.text += grant.locked ? ", memory locked"
                              : std::string(", memory not locked (") + std::strerror(errno) + ")";

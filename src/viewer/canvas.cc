@@ -32,12 +32,13 @@ mjtFontScale FontScale(int height) {
 
 }  // namespace
 
-Canvas::Canvas(Stage* stage, const PictureSize& size, bool fine) : drawn_(size), fine_(fine) {
+Canvas::Canvas(Stage* stage, const PictureSize& size, Edges edges)
+    : drawn_(size), fine_(edges == Edges::kFine) {
   if (fine_) drawn_ = {.width = 2 * size.width, .height = 2 * size.height};
   mjVisual* visual = stage->visual();
   visual->global.offwidth = drawn_.width;
   visual->global.offheight = drawn_.height;
-  visual->quality.offsamples = kSamples;
+  visual->quality.offsamples = edges == Edges::kHard ? 0 : kSamples;
   visual->quality.shadowsize = kShadowPixels;
   mjr_defaultContext(&context_);
   mjr_makeContext(&stage->model(), &context_, FontScale(size.height));
@@ -134,8 +135,8 @@ void CheckWritable(const std::filesystem::path& file, bool overwrite) {
     throw SetupError(file.string() + " is a folder; name a file in it");
   }
   if (!overwrite && std::filesystem::exists(file, ignored)) {
-    throw SetupError(file.string() +
-                     " exists already; name another file, or replace it with --overwrite");
+    throw RecordError(file.string() +
+                      ": exists already; name another file, or replace it with --overwrite");
   }
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder, ignored)) {

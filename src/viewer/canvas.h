@@ -28,10 +28,13 @@ void CheckWritable(const std::filesystem::path& file, bool overwrite);
 
 class Canvas {
  public:
-  // Needs a current OpenGL context, also in the destructor. `fine` renders at twice the size and
-  // averages: smoother edges at four times the cost. Throws SetupError if the context cannot have
-  // images of this size.
-  Canvas(Stage* stage, const PictureSize& size, bool fine);
+  // Hard edges have one sample a pixel, smooth ones four. For fine ones it renders at twice the
+  // size and averages, at four times the cost.
+  enum class Edges : std::uint8_t { kHard, kSmooth, kFine };
+
+  // Needs a current OpenGL context, also in the destructor. Throws SetupError if the context cannot
+  // have images of this size.
+  Canvas(Stage* stage, const PictureSize& size, Edges edges);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;

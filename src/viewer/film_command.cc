@@ -12,7 +12,7 @@
 #include "viewer/headless_gl.h"
 #include "viewer/live_robot.h"
 #include "viewer/progress_bar.h"
-#include "viewer/recording.h"
+#include "viewer/recorded_states.h"
 #include "viewer/video_file.h"
 
 namespace understudy::viewer {
@@ -70,7 +70,7 @@ FilmMaker MakeFilmMaker(const FilmArguments& arguments, double simulated, Stage*
 
 void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
   const std::filesystem::path socket = client::ChosenSocket(arguments.drawing.robot);
-  Stage stage(FetchModel(socket));
+  Stage stage(FetchModel(socket), FetchName(socket));
   const auto gl = MakeHeadlessGl(arguments.drawing.gl);
   Output output(arguments);
   const double whole = arguments.seconds / arguments.speed;
@@ -107,9 +107,9 @@ void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& shou
 }
 
 void FilmRecording(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
-  const Recording recording(arguments.drawing.recording);
-  const Recording::Span span = recording.Cut(arguments.from, arguments.to);
-  Stage stage(recording.ReadModel());
+  const RecordedStates recording(arguments.drawing.recording);
+  const RecordedStates::Span span = recording.Cut(arguments.from, arguments.to);
+  Stage stage(recording.ReadModel(), recording.robot());
   const auto gl = MakeHeadlessGl(arguments.drawing.gl);
   Output output(arguments);
   FilmMaker maker = MakeFilmMaker(arguments, span.to - span.from, &stage, &output);

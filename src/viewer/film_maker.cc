@@ -44,7 +44,7 @@ bool FilmMaker::Add(const SceneState& state) {
     begin_ = state.time;
     stage_->Show(state);
     camera_.emplace(*stage_, choice_, size_);
-    canvas_.emplace(stage_, size_, /*fine=*/false);
+    canvas_.emplace(stage_, size_, Canvas::Edges::kSmooth);
   }
   const auto due = [this] { return begin_ + pictures_ * (plan_.speed / plan_.fps); };
   // The picture that is due needs the states on both sides of it.

@@ -18,7 +18,7 @@ SceneState Between(const mjModel& model, const SceneState& a, const SceneState& 
 // How long an event stands in a film [s of film]; *assumed*: to be read.
 inline constexpr double kEventShown = 4;
 
-// Draws a picture for every 1 / fps seconds of film, whatever the rate of the states.
+// Draws a picture for every 1 / fps seconds of film, at any rate of the states.
 class FilmMaker {
  public:
   struct Plan {

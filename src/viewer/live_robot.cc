@@ -33,6 +33,11 @@ mjcf::ModelHandle FetchModel(const std::filesystem::path& socket) {
   return mjcf::ReadBinaryModel(Get(socket, "/scene/model"), "the robot's model");
 }
 
+std::string FetchName(const std::filesystem::path& socket) {
+  const nlohmann::json status = nlohmann::json::parse(Get(socket, "/status"), nullptr, false);
+  return status.is_object() ? status.value("name", std::string()) : std::string();
+}
+
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq) {
   return ReadSnapshot(Get(socket, "/snapshot" + kParts), nq);
 }

@@ -23,6 +23,9 @@ namespace understudy::viewer {
 // not answer, ModelError if the model is of another MuJoCo version.
 mjcf::ModelHandle FetchModel(const std::filesystem::path& socket);
 
+// Returns its name in its world. Throws ControlError.
+std::string FetchName(const std::filesystem::path& socket);
+
 // Returns its present state. Throws ControlError.
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq);
 

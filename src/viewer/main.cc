@@ -12,7 +12,8 @@
 #include "viewer/film_command.h"
 #include "viewer/headless_gl.h"
 #include "viewer/live_robot.h"
-#include "viewer/recording.h"
+#include "viewer/recorded_states.h"
+#include "viewer/robot_eyes.h"
 #include "viewer/viewer.h"
 
 namespace understudy::viewer {
@@ -22,7 +23,7 @@ void Draw(Stage* stage, const SceneState& state, const DrawingArguments& drawing
   const auto gl = MakeHeadlessGl(drawing.gl);
   stage->Show(state);
   CameraOperator camera(*stage, drawing.camera, drawing.size);
-  Canvas canvas(stage, drawing.size, /*fine=*/true);
+  Canvas canvas(stage, drawing.size, Canvas::Edges::kFine);
   stage->Compose(camera.camera(), drawing.show, nullptr);
   WritePng(canvas.Draw(stage), drawing.out);
 }
@@ -31,13 +32,13 @@ void DrawPicture(const PictureArguments& arguments) {
   const DrawingArguments& drawing = arguments.drawing;
   CheckWritable(drawing.out, drawing.overwrite);
   if (!drawing.recording.empty()) {
-    const Recording recording(drawing.recording);
-    Stage stage(recording.ReadModel());
+    const RecordedStates recording(drawing.recording);
+    Stage stage(recording.ReadModel(), recording.robot());
     Draw(&stage, recording.At(arguments.at, stage.positions()), drawing);
     return;
   }
   const std::filesystem::path socket = client::ChosenSocket(drawing.robot);
-  Stage stage(FetchModel(socket));
+  Stage stage(FetchModel(socket), FetchName(socket));
   Draw(&stage, FetchState(socket, stage.positions()), drawing);
 }
 
@@ -58,6 +59,10 @@ int Main(int argc, char** argv) {
     CatchStopSignals();
     Film(film, should_stop);
   });
+  std::string control_socket;
+  CLI::App* const camera = app.add_subcommand("camera", "Draws for `understudy run`")->group("");
+  camera->add_option("SOCKET", control_socket)->required();
+  camera->final_callback([&] { ServeCameras(control_socket); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

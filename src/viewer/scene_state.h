@@ -33,8 +33,8 @@ struct SceneState {
   std::string keys;  // pressed on the remote controller, as in "L2+B"
 };
 
-// Reads a Snapshot of the control plane (docs/control.md), of which at least "step", "time" and
-// `nq` numbers of "qpos" have to be there. Throws ControlError that says what is wrong.
+// Reads a Snapshot of the control plane (docs/reference/control.md), of which at least "step",
+// "time" and `nq` numbers of "qpos" have to be there. Throws ControlError that says what is wrong.
 SceneState ReadSnapshot(const std::string& text, std::size_t nq);
 
 }  // namespace understudy::viewer

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,12 +50,21 @@ void AddConnector(mjvScene* scene, int type, double width, const Point& from, co
   mjv_makeConnector(geom, type, width, from[0], from[1], from[2], to[0], to[1], to[2]);
 }
 
+// Stands between the name of one of several robots and the names of its bodies.
+constexpr char kOfRobot = '/';
+
+std::string_view NameOf(const mjModel& model, int body) {
+  const char* name = mj_id2name(&model, mjOBJ_BODY, body);
+  return name == nullptr ? std::string_view() : name;
+}
+
 double Length(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
 
 int FindByName(const mjModel& model, mjtObj type, int count, const char* what,
-               const std::string& name) {
-  const int id = mj_name2id(&model, type, name.c_str());
-  if (id >= 0) return id;
+               const std::string& prefix, const std::string& name) {
+  for (const std::string& known : {name, prefix + name}) {
+    if (const int id = mj_name2id(&model, type, known.c_str()); id >= 0) return id;
+  }
   std::vector<std::string> names;
   for (int i = 0; i < count; ++i) {
     if (const char* known = mj_id2name(&model, type, i)) names.emplace_back(known);
@@ -65,15 +75,19 @@ int FindByName(const mjModel& model, mjtObj type, int count, const char* what,
 
 }  // namespace
 
-Stage::Stage(mjcf::ModelHandle model) : model_(std::move(model)), data_(mj_makeData(model_.get())) {
+Stage::Stage(mjcf::ModelHandle model, const std::string& robot)
+    : model_(std::move(model)), prefix_(robot + kOfRobot), data_(mj_makeData(model_.get())) {
   mjv_defaultScene(&scene_);
   mjv_defaultOption(&option_);
   mjv_makeScene(model_.get(), &scene_, 2 * model_->ngeom + kDecorGeoms);
   // Without reflections: a floor would show highlights of objects as streaks.
   scene_.flags[mjRND_REFLECTION] = 0;
-  // The root of the first body that can move; of several robots the first.
-  for (int body = 1; body < model_->nbody && root_ == 0; ++body) {
-    if (model_->body_weldid[body] != 0) root_ = model_->body_rootid[body];
+  // The root of the first body that can move; of several robots the named one's.
+  for (int body = 1; body < model_->nbody; ++body) {
+    if (model_->body_weldid[body] == 0) continue;
+    const bool own = NameOf(*model_, body).starts_with(prefix_);
+    if (own || root_ == 0) root_ = model_->body_rootid[body];
+    if (own) break;
   }
   only_collision_ = true;
   for (int geom = 0; geom < model_->ngeom; ++geom) {
@@ -105,11 +119,14 @@ bool Stage::Below(int body, int ancestor) const {
   return body == ancestor;
 }
 
+bool Stage::OfRobots(int geom) const {
+  const int body = model_->geom_bodyid[geom];
+  return Below(body, root_) || NameOf(*model_, body).find(kOfRobot) != std::string_view::npos;
+}
+
 bool Stage::uneven() const {
   for (int geom = 0; geom < model_->ngeom; ++geom) {
-    if (!Below(model_->geom_bodyid[geom], root_) && model_->geom_type[geom] != mjGEOM_PLANE) {
-      return true;
-    }
+    if (!OfRobots(geom) && model_->geom_type[geom] != mjGEOM_PLANE) return true;
   }
   return false;
 }
@@ -165,11 +182,11 @@ Point Stage::InBody(int body, const Point& p) const {
 }
 
 int Stage::Body(const std::string& name) const {
-  return FindByName(*model_, mjOBJ_BODY, model_->nbody, "body", name);
+  return FindByName(*model_, mjOBJ_BODY, model_->nbody, "body", prefix_, name);
 }
 
 int Stage::Camera(const std::string& name) const {
-  return FindByName(*model_, mjOBJ_CAMERA, model_->ncam, "camera", name);
+  return FindByName(*model_, mjOBJ_CAMERA, model_->ncam, "camera", prefix_, name);
 }
 
 void Stage::Choose(const ShowChoice& show) {

@@ -20,8 +20,9 @@ struct Ball {
 
 class Stage {
  public:
-  // Shows the model's reference pose at first.
-  explicit Stage(mjcf::ModelHandle model);
+  // Shows the model's reference pose at first. `robot` is the name of the robot in its world,
+  // for a model of several.
+  explicit Stage(mjcf::ModelHandle model, const std::string& robot = "");
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -45,7 +46,8 @@ class Stage {
   Point InWorld(int body, const Point& p) const;
   Point InBody(int body, const Point& p) const;
 
-  // Returns the id of a body. Throws ModelError with the nearest name if there is none.
+  // Return the id of a body or camera, by its name in the model or in the robot's own. Throw
+  // ModelError with the nearest name if there is none.
   int Body(const std::string& name) const;
   int Camera(const std::string& name) const;
 
@@ -63,6 +65,7 @@ class Stage {
 
  private:
   bool Moves(int geom) const;
+  bool OfRobots(int geom) const;
   bool Below(int body, int ancestor) const;
   void Choose(const ShowChoice& show);
   void AddForce(const SceneState::Force& force, const float rgba[4]);
@@ -71,6 +74,7 @@ class Stage {
   void MoveSun(const mjvCamera& camera);
 
   mjcf::ModelHandle model_;
+  std::string prefix_;  // of the robot's names, in a model of several
   mjcf::DataHandle data_;
   mjvScene scene_;
   mjvOption option_;

@@ -32,7 +32,8 @@ std::vector<std::string> Arguments(const PictureSize& size, int fps, const FilmF
                                         "-i",     "pipe:0",   "-an"};
   std::istringstream options{std::string(format.options)};
   arguments.insert(arguments.end(), std::istream_iterator<std::string>(options), {});
-  arguments.insert(arguments.end(), {"-y", "file:" + out});  // whatever protocol it looks like
+  arguments.insert(arguments.end(),
+                   {"-y", "file:" + out});  // even if the name looks like a protocol's
   return arguments;
 }
 

@@ -33,7 +33,7 @@ Viewer::Viewer(const std::filesystem::path& socket, const ViewArguments& argumen
     : socket_(socket),
       arguments_(arguments),
       window_("Understudy: " + socket.stem().string(), arguments.size),
-      stage_(FetchModel(socket)),
+      stage_(FetchModel(socket), FetchName(socket)),
       camera_([&] {
         stage_.Show(FetchState(socket, stage_.positions()));
         return CameraOperator(stage_, arguments.camera, arguments.size);

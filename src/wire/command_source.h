@@ -16,11 +16,12 @@ class CommandSource {
  public:
   virtual ~CommandSource() = default;
 
-  // See RobotPort::Take.
+  // Takes the oldest waiting command, as RobotPort::Take.
   virtual bool Take(robot::RobotCommand* command, robot::Refusal* form) = 0;
-  // See RobotPort::TakeLost and Rest.
+  // See RobotPort::TakeLost, KeepNewest and Clear.
   virtual std::uint64_t TakeLost() = 0;
-  virtual void Rest() = 0;
+  virtual void KeepNewest() = 0;
+  virtual void Clear() = 0;
   virtual int writers() const = 0;  // matched now
   virtual const bus::ReaderCore& reader() const = 0;
 };
@@ -54,9 +55,14 @@ class MessageSource final : public CommandSource {
     reader_.Gather();
     return reader_.lost() - std::exchange(lost_, reader_.lost());
   }
-  void Rest() override {
+  void KeepNewest() override {
     reader_.Gather();
     lost_ = reader_.lost();
+  }
+  void Clear() override {
+    reader_.Drop();
+    lost_ = reader_.lost();
+    undecoded_ = reader_.undecoded();
   }
   int writers() const override { return reader_.matched_writers(); }
   const bus::ReaderCore& reader() const override { return reader_; }
@@ -65,7 +71,7 @@ class MessageSource final : public CommandSource {
   bus::Reader<Msg> reader_;
   Decode decode_;
   std::uint64_t undecoded_ = reader_.undecoded();  // reported so far
-  std::uint64_t lost_ = 0;                         // likewise
+  std::uint64_t lost_ = 0;                         // reported so far
 };
 
 }  // namespace understudy::wire

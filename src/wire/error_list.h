@@ -14,7 +14,7 @@ namespace understudy::wire {
 // The text {"errors":[[timestamp, source, code], ...]} with one entry for each bit that is set
 // (vendor, Go2 fault services):
 //
-//   100        the bits of bit_flag that tell of faults
+//   100        the bits of bit_flag that report faults
 //   200        fans, the bits of fan_frequency[3]
 //   300 + i    the motor in slot i, the bits of its reserve[0]
 //   600        motion control: 4 its protection from heat, 8 that from low charge (the vendor's

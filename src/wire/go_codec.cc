@@ -36,7 +36,7 @@ constexpr double kMosWarmer_c = 2;           // mcu_ntc over bq_ntc; seen 1..4
 constexpr std::uint8_t kNotCharging = 0x04;  // bits of bit_flag: vendor, Go2-W basic services
 constexpr std::uint8_t kNoRemote = 0x20;
 constexpr std::uint8_t kMotorSilent = 0x80;  // vendor, Go2 fault services
-constexpr std::uint8_t kMcuSilent = 0x40;    // likewise
+constexpr std::uint8_t kMcuSilent = 0x40;    // vendor, Go2 fault services
 constexpr float kReel = 4 * 3.3F / 2048;     // A; 4 counts of the converter
 constexpr double kBoardDrop = 1.28;          // V from pack to board; seen 1.13 and 1.42
 constexpr double kBoardShare = 0.69;         // of the pack's current that the board sees
@@ -74,7 +74,6 @@ robot::Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const robot::R
     modes_known = modes_known && Knows(wire.mode);
     command->motors[i] = DecodeMotor(wire);
   }
-  command->joint_space = robot::JointSpace::kPitchRoll;
 
   if (message.crc != MessageCrc(message)) return robot::Refusal::kCrc;
   const bool head_set = std::ranges::equal(message.head, kHead) && message.level_flag == kLowLevel;

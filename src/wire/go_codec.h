@@ -20,14 +20,14 @@ bool HeadIsUnset(const unitree_go_msg_dds__LowCmd_& message);
 robot::Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
                       robot::RobotCommand* command);
 
-// Returns the bits of LowState's bit_flag that tell of faults: of motors that do not answer and of
+// Returns the bits of LowState's bit_flag that report faults: of motors that do not answer and of
 // the mainboard's small controller.
 std::uint8_t BottomFaults(const robot::RobotState& state);
 
 // Encodes a state, without the fields that are 0 on real robots. Call it with the same message each
 // time, all zero before the first (see EncodeImu). Slots without a motor do not change. As on real
 // robots, ddq and the raw fields are 0, and a passive motor has mode 1 too
-// (docs/sources.md#go2-captures).
+// (docs/dev/sources.md#go2-captures).
 //
 // Not modelled: foot_force_est.
 void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,

@@ -1,9 +1,9 @@
 // Topics of the unitree_go family.
 #include "wire/error_list.h"
 #include "wire/go_codec.h"
+#include "wire/odometry_codec.h"
 #include "wire/port.h"
 #include "wire/slots.h"
-#include "wire/state_rows.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
@@ -25,25 +25,28 @@ void Port::HearGo() {
   }
 }
 
-std::vector<StateRow> GoStates(const robot::RobotSpec& spec) {
-  const robot::RateSpec& rates = spec.rates;
-  std::vector<StateRow> rows = {
-      RowOf({TopicRow{kGoLowState, rates.lowstate_hz}, {kGoLfLowState, rates.lf_hz}},
-            [&spec](const robot::RobotState& state, unitree_go_msg_dds__LowState_* message) {
-              Encode(state, spec, message);
-              return true;
-            }),
-      MotionRow(spec, kSportModeState, kLfSportModeState), RemoteRow(spec)};
-  if (spec.error_list) {
-    rows.push_back(RowOf({TopicRow{kErrorList, rates.lf_hz}},
-                         [list = ErrorList(spec)](const robot::RobotState& state,
-                                                  std_msgs_msg_dds__String_* message) mutable {
-                           if (!list.Update(state)) return false;
-                           message->data = list.text();
-                           return true;
-                         }));
+std::unique_ptr<Publication> Port::OpenGo(const StateMessage& message) {
+  if (message.content == Content::kLowState) {
+    return Open<unitree_go_msg_dds__LowState_>(
+        message, [this](const robot::RobotState& state, unitree_go_msg_dds__LowState_* sent) {
+          Encode(state, spec_, sent);
+          return true;
+        });
   }
-  return rows;
+  if (message.content == Content::kOdometry) {
+    return Open<nav_msgs_msg_dds__Odometry_>(message, &EncodeOdometry);
+  }
+  if (message.content == Content::kOdometryPose) {
+    return Open<geometry_msgs_msg_dds__PoseStamped_>(message, &EncodePose);
+  }
+  if (message.content != Content::kErrors) return OpenShared(message);
+  return Open<std_msgs_msg_dds__String_>(
+      message, [list = ErrorList(spec_)](const robot::RobotState& state,
+                                         std_msgs_msg_dds__String_* sent) mutable {
+        if (!list.Update(state)) return false;
+        sent->data = list.text();
+        return true;
+      });
 }
 
 }  // namespace understudy::wire

@@ -1,10 +1,13 @@
 #include "wire/hand_codec.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <span>
 
+#include "robot/hand_law.h"
 #include "wire/motor_errors.h"
 #include "wire/rounded.h"
 #include "wire/slots.h"
@@ -19,6 +22,13 @@ constexpr unsigned kStatusMask = 7;
 
 constexpr unsigned kLocked = 0;
 constexpr unsigned kFollowing = 1;
+
+double Length(const robot::MotorSpec& motor) { return motor.span[1] - motor.span[0]; }
+
+float Share(double value, double whole) {
+  constexpr double kSteps = 1000;  // on the serial lines of hands
+  return static_cast<float>(std::round(kSteps * value / whole) / kSteps);
+}
 
 }  // namespace
 
@@ -78,6 +88,53 @@ unitree_hg_msg_dds__HandState_ HandStateMessage::message() {
                                  ._buffer = pads_.data(),
                                  ._release = false};
   return message_;
+}
+
+robot::Refusal Decode(const unitree_go_msg_dds__MotorCmds_& message, const robot::HandSpec& spec,
+                      robot::RobotCommand* command) {
+  const std::span wire(message.cmds._buffer, message.cmds._length);
+  if (wire.size() < robot::SlotsOf(spec)) return robot::Refusal::kMotorCount;
+  command->motors.resize(spec.motors.size());
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    const robot::MotorSpec& motor = spec.motors[i];
+    robot::MotorCommand& decoded = command->motors[i];
+    decoded = DecodeMotor(wire[static_cast<std::size_t>(spec.slot) + i]);
+    decoded.enabled = true;
+    decoded.watched = robot::LawOf(spec).watched;
+    if (Length(motor) == 0) continue;
+    decoded.q = motor.span[0] + std::clamp(decoded.q, 0.0, 1.0) * Length(motor);
+    decoded.dq = std::clamp(decoded.dq, 0.0, 1.0) * motor.knee_speed;
+  }
+  return robot::Refusal::kNone;
+}
+
+MotorStatesMessage::MotorStatesMessage(const robot::HandSpec& spec)
+    : spec_(spec), motors_(robot::SlotsOf(spec)) {}
+
+void MotorStatesMessage::Encode(std::span<const robot::MotorReading> reading) {
+  const robot::HandLaw& law = robot::LawOf(spec_);
+  for (std::size_t i = 0; i < spec_.motors.size(); ++i) {
+    const robot::MotorSpec& motor = spec_.motors[i];
+    const robot::MotorReading& read = reading[i];
+    unitree_go_msg_dds__MotorState_& wire = motors_[static_cast<std::size_t>(spec_.slot) + i];
+    const double length = Length(motor);
+    const double way = std::copysign(1.0, length);
+    const bool shares = length != 0;
+    wire.q = shares ? Share(read.q - motor.span[0], length) : static_cast<float>(read.q);
+    if (law.shows_motion) {
+      wire.dq = shares ? Share(way * read.dq, motor.knee_speed) : static_cast<float>(read.dq);
+      wire.tau_est =
+          shares ? Share(way * read.tau, motor.torque_limit) : static_cast<float>(read.tau);
+    }
+    if (law.counts_lost) wire.lost = read.lost;
+  }
+}
+
+unitree_go_msg_dds__MotorStates_ MotorStatesMessage::message() {
+  return {.states = {._maximum = static_cast<std::uint32_t>(motors_.size()),
+                     ._length = static_cast<std::uint32_t>(motors_.size()),
+                     ._buffer = motors_.data(),
+                     ._release = false}};
 }
 
 }  // namespace understudy::wire

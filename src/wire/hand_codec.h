@@ -1,10 +1,11 @@
-// Encodes and decodes the messages of hands with motors, such as the Dex3-1: HandCmd_ and
-// HandState_.
+// Encodes and decodes the messages of hands: HandCmd_ and HandState_ of the Dex3-1, MotorCmds_ and
+// MotorStates_ of others.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"
 #include "robot/refusal.h"
 #include "robot/robot_spec.h"
@@ -22,6 +23,13 @@ inline constexpr int kHandIds = 16;  // of motors, 0 to 15
 // status other than 0 and 1; `command` is filled in, ignoring the ids and taking other statuses for
 // 1. That a robot refuses such commands is *assumed*. `reserve` is ignored.
 robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::HandSpec& spec,
+                      robot::RobotCommand* command);
+
+// Decodes the motors from spec.slot on into `command`. Every motor is enabled, since the services
+// of hands ignore the mode. Of a motor with a span, q and dq are cut to 0 and 1; dq is the share of
+// its knee_speed. Returns kMotorCount for fewer motors than the messages have, of which the
+// services would read what is not there; further ones are ignored, as by them.
+robot::Refusal Decode(const unitree_go_msg_dds__MotorCmds_& message, const robot::HandSpec& spec,
                       robot::RobotCommand* command);
 
 // A HandState_ and the memory of its sequences.
@@ -48,6 +56,25 @@ class HandStateMessage {
   std::vector<unitree_hg_msg_dds__MotorState_> motors_;
   std::vector<unitree_hg_msg_dds__PressSensorState_> pads_;
   unitree_hg_msg_dds__HandState_ message_{};
+};
+
+// A MotorStates_ and the memory of its sequence. All that a service leaves out is 0.
+class MotorStatesMessage {
+ public:
+  // `spec` must outlive this object.
+  explicit MotorStatesMessage(const robot::HandSpec& spec);
+
+  // Encodes the readings of its motors, in their order; ignores further ones. Of a motor with a
+  // span, q, dq and tau_est are shares of span, knee_speed and torque_limit, in steps of 0.001,
+  // and positive from q 0 to 1. That tau_est is such a share is *assumed*.
+  void Encode(std::span<const robot::MotorReading> reading);
+
+  // Returns the message, whose sequence is of this object and valid as long as it is.
+  unitree_go_msg_dds__MotorStates_ message();
+
+ private:
+  const robot::HandSpec& spec_;
+  std::vector<unitree_go_msg_dds__MotorState_> motors_;
 };
 
 }  // namespace understudy::wire

@@ -55,14 +55,14 @@ void EncodePair(const robot::RobotState& state, const robot::RobotSpec& spec,
 robot::Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
                       robot::RobotCommand* command) {
   bool modes_known = true;
+  const bool motor_space = message.mode_pr == static_cast<std::uint8_t>(robot::JointSpace::kMotors);
   command->motors.resize(spec.motors.size());
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const auto& wire = message.motor_cmd[SlotOf(spec.motors[i])];
     modes_known = modes_known && wire.mode <= kEnabled;
     command->motors[i] = DecodeMotor(wire);
+    if (motor_space) command->motors[i].space = robot::JointSpace::kMotors;
   }
-  const bool motor_space = message.mode_pr == static_cast<std::uint8_t>(robot::JointSpace::kMotors);
-  command->joint_space = motor_space ? robot::JointSpace::kMotors : robot::JointSpace::kPitchRoll;
 
   if (message.crc != MessageCrc(message)) return robot::Refusal::kCrc;
   if (message.mode_machine != spec.mode_machine) return robot::Refusal::kModeMachine;

@@ -20,7 +20,7 @@ robot::Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const robot::R
 // state.joint_space kMotors the slots of parallel pairs have the values of their motors, B in the
 // slot of pitch and A in that of roll, with torques of equal power.
 //
-// `vol` is the bus voltage in steps of 0.5 V, as seen on a G1 (docs/sources.md#g1-logs). Not
+// `vol` is the bus voltage in steps of 0.5 V, as seen on a G1 (docs/dev/sources.md#g1-logs). Not
 // modelled: faults (motorstate), the sensor words.
 void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
             unitree_hg_msg_dds__LowState_* message);

@@ -4,16 +4,16 @@
 #include <iterator>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "base/errors.h"
-#include "robot/firmware.h"
+#include "robot/hand_law.h"
 #include "wire/hand_codec.h"
 #include "wire/hg_codec.h"
 #include "wire/imu_codec.h"
 #include "wire/motion_codec.h"
 #include "wire/port.h"
 #include "wire/slots.h"
-#include "wire/state_rows.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
@@ -34,29 +34,12 @@ void CheckFits(const robot::HandSpec& spec) {
   }
 }
 
-// `first_motor` is its first index in motor order.
-StateRow HandRow(const robot::RobotSpec& robot, const robot::HandSpec& spec,
-                 std::size_t first_motor) {
-  using HandState = unitree_hg_msg_dds__HandState_;
-  CheckFits(spec);
-  const std::string state = "rt/" + spec.topic + "/state";
-  const std::string slow = "rt/lf/" + spec.topic + "/state";
-  const dds_topic_descriptor* const type = &unitree_hg_msg_dds__HandState__desc;
-  return RowOf({TopicRow{bus::Topic<HandState>{state.c_str(), type}, robot.rates.hand_hz},
-                {{slow.c_str(), type}, robot.rates.lf_hz}},
-               [first_motor, encoder = HandStateMessage(spec)](const robot::RobotState& told,
-                                                               HandState* message) mutable {
-                 encoder.Encode(std::span(told.motors).subspan(first_motor));
-                 *message = encoder.message();
-                 return true;
-               });
-}
-
 }  // namespace
 
 void Port::HearHg() {
   using LowCmd = unitree_hg_msg_dds__LowCmd_;
   using HandCmd = unitree_hg_msg_dds__HandCmd_;
+  using MotorCmds = unitree_go_msg_dds__MotorCmds_;
   CheckFits(spec_, kHgMotorSlots, kHgCells);
 
   Hear(robot::kLowCmdTopic, kHgLowCmd, [this](const LowCmd& message, robot::RobotCommand* command) {
@@ -68,72 +51,84 @@ void Port::HearHg() {
   };
   if (!spec_.arm_sdk.slots.empty()) Hear(robot::kArmSdkTopic, kHgArmSdk, decode_unsigned);
   if (spec_.user_lowcmd) Hear(robot::kUserLowCmdTopic, kUserLowCmd, decode_unsigned);
+  const std::vector<RobotTopic> topics = CommandTopics(spec_);
   for (std::size_t hand = 0; hand < spec_.hands.size(); ++hand) {
     const robot::HandSpec& spec = spec_.hands[hand];
-    const std::string topic = "rt/" + spec.topic + "/cmd";
-    Hear(robot::kFirstHandTopic + hand,
-         bus::Topic<HandCmd>{topic.c_str(), &unitree_hg_msg_dds__HandCmd__desc},
-         [&spec](const HandCmd& message, robot::RobotCommand* command) {
-           return Decode(message, spec, command);
-         });
+    const std::size_t number = robot::kFirstHandTopic + hand;
+    const auto decode = [&spec](const auto& message, robot::RobotCommand* command) {
+      return Decode(message, spec, command);
+    };
+    const char* const name = topics[number].name.c_str();
+    if (robot::HasMotorLists(spec)) {
+      Hear(number, bus::Topic<MotorCmds>{name, &unitree_go_msg_dds__MotorCmds__desc}, decode);
+    } else {
+      Hear(number, bus::Topic<HandCmd>{name, &unitree_hg_msg_dds__HandCmd__desc}, decode);
+    }
   }
 }
 
-std::vector<StateRow> HgStates(const robot::RobotSpec& spec) {
-  const robot::RateSpec& rates = spec.rates;
-  std::vector<StateRow> rows = {
-      RowOf({TopicRow{kHgLowState, rates.lowstate_hz}, {kHgLfLowState, rates.lf_hz}},
-            [&spec](const robot::RobotState& state, unitree_hg_msg_dds__LowState_* message) {
-              Encode(state, spec, message);
-              return true;
-            }),
-      MotionRow(spec, kOdomModeState, kLfOdomModeState)};
-  if (!spec.imu.secondary_site.empty()) {
-    rows.push_back(
-        RowOf({TopicRow{kSecondaryImu, rates.lowstate_hz}, {kLfSecondaryImu, rates.lf_hz}},
-              [](const robot::RobotState& state, unitree_hg_msg_dds__IMUState_* message) {
-                EncodeImu(state.secondary_imu, message);
-                return true;
-              }));
+std::unique_ptr<Publication> Port::OpenHg(const StateMessage& message) {
+  switch (message.content) {
+    case Content::kLowState:
+      return Open<unitree_hg_msg_dds__LowState_>(
+          message, [this](const robot::RobotState& state, unitree_hg_msg_dds__LowState_* sent) {
+            Encode(state, spec_, sent);
+            return true;
+          });
+    case Content::kSecondImu:
+      return Open<unitree_hg_msg_dds__IMUState_>(
+          message, [](const robot::RobotState& state, unitree_hg_msg_dds__IMUState_* sent) {
+            EncodeImu(state.secondary_imu, sent);
+            return true;
+          });
+    case Content::kBms:
+      return Open<unitree_hg_msg_dds__BmsState_>(
+          message, [this](const robot::RobotState& state, unitree_hg_msg_dds__BmsState_* sent) {
+            EncodeBms(state, spec_, sent);
+            return true;
+          });
+    case Content::kMainBoard:  // its content is not documented: all 0
+      return Open<unitree_hg_msg_dds__MainBoardState_>(
+          message,
+          [](const robot::RobotState&, unitree_hg_msg_dds__MainBoardState_*) { return true; });
+    case Content::kHand:
+      return OpenHand(message);
+    case Content::kFsm:  // while a motion service is on
+      return Open<unitree_hg_msg_dds__SportModeState_>(
+          message, [](const robot::RobotState& state, unitree_hg_msg_dds__SportModeState_* sent) {
+            if (state.motion) EncodeFsm(state, sent);
+            return state.motion.has_value();
+          });
+    case Content::kArmAction:
+      return Open<std_msgs_msg_dds__String_>(
+          message, [text = std::array<char, 96>()](const robot::RobotState& state,
+                                                   std_msgs_msg_dds__String_* sent) mutable {
+            if (state.motion) text = ArmActionText(*state.motion);
+            sent->data = text.data();
+            return state.motion.has_value();
+          });
+    default:
+      return OpenShared(message);
   }
-  rows.push_back(RemoteRow(spec));
-  rows.push_back(
-      RowOf({TopicRow{kLfBmsState, rates.lf_hz}},
-            [&spec](const robot::RobotState& state, unitree_hg_msg_dds__BmsState_* message) {
-              EncodeBms(state, spec, message);
-              return true;
-            }));
-  // The content of MainBoardState_ is not documented: all 0.
-  rows.push_back(
-      RowOf({TopicRow{kLfMainBoardState, rates.lf_hz}},
-            [](const robot::RobotState&, unitree_hg_msg_dds__MainBoardState_*) { return true; }));
-  std::size_t motor = spec.motors.size();
-  for (const robot::HandSpec& hand : spec.hands) {
-    rows.push_back(HandRow(spec, hand, motor));
-    motor += hand.motors.size();
-  }
+}
 
-  // The state of the motion service, while one is on.
-  if (robot::TellsStateId(spec)) {
-    rows.push_back(
-        RowOf({TopicRow{kHgSportModeState, rates.motion_hz}, {kLfHgSportModeState, rates.lf_hz}},
-              [](const robot::RobotState& state, unitree_hg_msg_dds__SportModeState_* message) {
-                if (state.motion) EncodeFsm(state, message);
-                return state.motion.has_value();
-              }));
+std::unique_ptr<Publication> Port::OpenHand(const StateMessage& message) {
+  const robot::HandSpec& spec = spec_.hands[message.hand];
+  CheckFits(spec);
+  std::size_t first_motor = spec_.motors.size();  // in motor order
+  for (std::size_t i = 0; i < message.hand; ++i) first_motor += spec_.hands[i].motors.size();
+  const auto encode = [first_motor](auto encoder) {
+    return [first_motor, encoder = std::move(encoder)](const robot::RobotState& state,
+                                                       auto* sent) mutable {
+      encoder.Encode(std::span(state.motors).subspan(first_motor));
+      *sent = encoder.message();
+      return true;
+    };
+  };
+  if (robot::HasMotorLists(spec)) {
+    return Open<unitree_go_msg_dds__MotorStates_>(message, encode(MotorStatesMessage(spec)));
   }
-  if (spec.arm_action_state) {
-    constexpr double kHz = 10;  // a G1 with firmware 1.4.7, 3795 gaps of 0.102 s in the median
-    rows.push_back(
-        RowOf({TopicRow{kArmActionState, kHz}},
-              [text = std::array<char, 96>()](const robot::RobotState& state,
-                                              std_msgs_msg_dds__String_* message) mutable {
-                if (state.motion) text = ArmActionText(*state.motion);
-                message->data = text.data();
-                return state.motion.has_value();
-              }));
-  }
-  return rows;
+  return Open<unitree_hg_msg_dds__HandState_>(message, encode(HandStateMessage(spec)));
 }
 
 }  // namespace understudy::wire

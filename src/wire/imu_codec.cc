@@ -37,16 +37,6 @@ void Encode(const robot::ImuReading& reading, Message* message) {
 
 }  // namespace
 
-Eigen::Vector3d RollPitchYaw(const Eigen::Quaterniond& R_WI) {
-  const double w = R_WI.w();
-  const double x = R_WI.x();
-  const double y = R_WI.y();
-  const double z = R_WI.z();
-  return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
-          std::asin(std::clamp(2 * (w * y - z * x), -1.0, 1.0)),
-          std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))};
-}
-
 void EncodeImu(const robot::ImuReading& reading, unitree_go_msg_dds__IMUState_* message) {
   Encode(reading, message);
   message->temperature = Rounded<std::uint8_t>(reading.temperature_c, 0, 127);

@@ -1,19 +1,12 @@
 // Encodes IMU readings. Both families have the same message except for the temperature's type.
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"
 #include "robot/robot_values.h"
+#include "wire/roll_pitch_yaw.h"
 
 namespace understudy::wire {
-
-// Returns roll, pitch, yaw [rad] of a unit quaternion: R = Rz(yaw) Ry(pitch) Rx(roll), pitch in
-// ±π/2, roll and yaw in ±π. Never NaN for finite input; at pitch ±π/2, where only the sum or
-// difference of roll and yaw is determined, both are finite.
-Eigen::Vector3d RollPitchYaw(const Eigen::Quaterniond& R_WI);
 
 // Encodes a reading. Normalises the quaternion (w, x, y, z) and chooses the sign nearer to the
 // previous quaternion in `message`, so that a stream does not jump; w >= 0 if `message` is all

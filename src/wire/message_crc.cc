@@ -21,7 +21,8 @@ using HgImu = unitree_hg_msg_dds__IMUState_;
 
 static_assert(std::endian::native == std::endian::little, "the layout is that of the robot's CPU");
 
-// Sizes and offsets of the vendor's C++ objects, compiled from its headers (docs/sources.md#crc).
+// Sizes and offsets of the vendor's C++ objects, compiled from its headers
+// (docs/dev/sources.md#crc).
 static_assert(sizeof(GoLowCmd) == 812 && sizeof(GoMotorCmd) == 36);
 static_assert(offsetof(GoLowCmd, level_flag) == 2 && offsetof(GoLowCmd, sn) == 4);
 static_assert(offsetof(GoLowCmd, version) == 12 && offsetof(GoLowCmd, bandwidth) == 20);

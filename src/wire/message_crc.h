@@ -10,7 +10,7 @@
 namespace understudy::wire {
 
 // Return the valid value of the message's crc field: Crc32 over all words before it, in the native
-// layout of the vendor's C++ object (offsets: docs/sources.md#crc), with zeros in the padding.
+// layout of the vendor's C++ object (offsets: docs/dev/sources.md#crc), with zeros in the padding.
 // Ignores the present crc field. Takes about 1 µs for the largest, hg LowState.
 //
 // The vendor's C++ computes it over the object in memory, including its padding, which is zero if

@@ -7,7 +7,7 @@
 
 namespace understudy::wire {
 
-// The bits of a family's word (docs/sources.md#developer-pages).
+// The bits of a family's word (docs/dev/sources.md#developer-pages).
 struct MotorErrorBits {
   std::uint32_t undervoltage, winding_warm, winding_hot, encoder, silent;
 };

@@ -1,39 +1,86 @@
 #include "wire/port.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
-#include "wire/states.h"
+#include "wire/motion_codec.h"
+#include "wire/remote_codec.h"
 
 namespace understudy::wire {
 
 Port::Port(const bus::Participant& participant, const robot::RobotSpec& spec, double timestep)
-    : participant_(participant), spec_(spec), lowstate_(spec.rates.lowstate_hz, timestep) {
-  spec.family == robot::WireFamily::kGo ? HearGo() : HearHg();
-  for (const StateRow& row : StateRows(spec)) {
-    publications_.push_back(row.open(participant, timestep));
+    : participant_(participant),
+      spec_(spec),
+      lowstate_(spec.rates.lowstate_hz, timestep),
+      outlets_(participant, timestep) {
+  for (std::size_t number = 0; number < robot::kMostCommandTopics; ++number) {
+    sources_.push_back(
+        {nullptr, Inlet(number < robot::kFirstHandTopic)});  // those of hands have no crc
   }
+  const bool go = spec.family == robot::WireFamily::kGo;
+  go ? HearGo() : HearHg();
+  for (const StateMessage& message : StateMessages(spec)) {
+    publications_.push_back(go ? OpenGo(message) : OpenHg(message));
+  }
+  lidar_.emplace(spec, &outlets_);
+  states_ = outlets_.size();
+}
+
+std::unique_ptr<Publication> Port::OpenShared(const StateMessage& message) {
+  if (message.content == Content::kMotion) {
+    return Open<unitree_go_msg_dds__SportModeState_>(
+        message, [this, fields = MotionFieldsOf(spec_)](const robot::RobotState& state,
+                                                        unitree_go_msg_dds__SportModeState_* sent) {
+          EncodeMotion(state, spec_, fields, sent);
+          return true;
+        });
+  }
+  return Open<unitree_go_msg_dds__WirelessController_>(
+      message, [](const robot::RobotState& state, unitree_go_msg_dds__WirelessController_* sent) {
+        if (state.remote.there) EncodeRemote(state.remote, sent);
+        return state.remote.there;
+      });
+}
+
+void Port::BeginTick(double t, const LinkFaults& faults) {
+  now_ = t;
+  faults_ = faults.commands;
+  outlets_.BeginTick(t, faults.publications);
 }
 
 bool Port::Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) {
-  return sources_[topic] != nullptr && sources_[topic]->Take(command, form);
+  Source& source = sources_[topic];
+  if (source.commands == nullptr) return false;
+  const auto take = [&source](robot::RobotCommand* sent, robot::Refusal* its_form) {
+    return source.commands->Take(sent, its_form);
+  };
+  return source.inlet.Take(faults_.empty() ? robot::LinkEffects{} : faults_[topic], now_, take,
+                           command, form);
 }
 
 std::uint64_t Port::TakeLost(std::size_t topic) {
-  return sources_[topic] == nullptr ? 0 : sources_[topic]->TakeLost();
+  Source& source = sources_[topic];
+  return source.commands == nullptr ? 0 : source.commands->TakeLost() + source.inlet.TakeLost();
 }
 
-void Port::Rest() {
-  for (const auto& source : sources_) {
-    if (source != nullptr) source->Rest();
+void Port::KeepNewest() {
+  for (const Source& source : sources_) {
+    if (source.commands != nullptr) source.commands->KeepNewest();
   }
+}
+
+void Port::Clear() {
+  for (Source& source : sources_) {
+    if (source.commands != nullptr) source.commands->Clear();
+    source.inlet.Clear();
+  }
+  outlets_.Clear();
 }
 
 std::vector<const bus::ReaderCore*> Port::readers() const {
   std::vector<const bus::ReaderCore*> readers;
-  for (const auto& source : sources_) {
-    if (source != nullptr) readers.push_back(&source->reader());
+  for (const Source& source : sources_) {
+    if (source.commands != nullptr) readers.push_back(&source.commands->reader());
   }
   return readers;
 }
@@ -42,32 +89,29 @@ bool Port::Due(std::int64_t step) const {
   return std::ranges::any_of(publications_, [step](const auto& p) { return p->Due(step); });
 }
 
-void Port::Publish(const robot::RobotState& state, std::int64_t step,
-                   std::span<const robot::LinkEffects> links) {
-  std::uint64_t failures = 0;
-  for (const auto& publication : publications_) {
-    const std::size_t count = links.empty() ? 0 : publication->topics().size();
-    failures += publication->Publish(state, step, links.first(count));
-    links = links.subspan(count);
-  }
-  counts_.write_failures += failures;
-  news_.write_failures += failures;
+void Port::Publish(const robot::RobotState& state, std::int64_t step) {
+  for (const auto& publication : publications_) publication->Publish(state, step);
   if (lowstate_.Due(step)) ++counts_.lowstates;
 }
 
 std::vector<std::string> Port::topics() const {
   std::vector<std::string> topics;
-  for (const auto& publication : publications_) {
-    std::ranges::copy(publication->topics(), std::back_inserter(topics));
-  }
+  for (std::size_t i = 0; i < states_; ++i) topics.push_back(outlets_[i].topic().name);
   return topics;
 }
 
-int Port::command_writers() const { return sources_[robot::kLowCmdTopic]->writers(); }
+robot::PortCounts Port::counts() const {
+  robot::PortCounts counts = counts_;
+  counts.write_failures = outlets_.failures();
+  return counts;
+}
+
+int Port::command_writers() const { return sources_[robot::kLowCmdTopic].commands->writers(); }
 
 robot::PortNews Port::TakeNews() {
   const int writers = command_writers();
   if (std::exchange(writers_, writers) != writers && writers > 1) news_.writers = writers;
+  news_.write_failures = outlets_.failures() - std::exchange(told_failures_, outlets_.failures());
   return std::exchange(news_, {});
 }
 

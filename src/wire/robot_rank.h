@@ -12,7 +12,7 @@
 namespace understudy::wire {
 
 // The one with the least rank stays, the others yield. Robots compute it alike, since each computes
-// it of what the others announce, whatever their clocks say.
+// it of what the others announce, independent of their clocks.
 struct RobotRank {
   std::int64_t since = 0;     // when it began to start, by its clock; ns since 1970
   bus::ParticipantKey key{};  // decides between equal times
@@ -21,10 +21,11 @@ struct RobotRank {
 };
 
 // Returns what a robot's participant announces, and play's, which is one to others.
-std::string AnnounceRobot(std::int64_t since);
+std::string AnnounceRobot(std::int64_t since, std::string_view partition = "");
 
 // Returns the rank of the participant that announces `text`; nullopt if it is no robot of this
-// program.
-std::optional<RobotRank> RankOf(std::string_view text, const bus::ParticipantKey& key);
+// program in that DDS partition.
+std::optional<RobotRank> RankOf(std::string_view text, const bus::ParticipantKey& key,
+                                std::string_view partition = "");
 
 }  // namespace understudy::wire

@@ -59,7 +59,6 @@ robot::Refusal DecodeUnsigned(const LowCmd& message, const robot::RobotSpec& spe
     command->motors[i] = DecodeMotor(message.motor_cmd[SlotOf(spec.motors[i])]);
     command->motors[i].enabled = true;
   }
-  command->joint_space = robot::JointSpace::kPitchRoll;
   command->weight = ArmWeight(message, spec.arm_sdk);
   return robot::Refusal::kNone;
 }

@@ -1,6 +1,7 @@
 #include "wire/strangers.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "wire/topics.h"
 
@@ -13,11 +14,12 @@ constexpr bus::ReaderOptions kEar{.depth = bus::kMaxTake, .reliable = false, .fo
 }  // namespace
 
 StrangerWatch::StrangerWatch(const bus::Participant& participant)
-    : ours_(RankOf(participant.announcement(), participant.key())),
+    : participant_(participant),
+      ours_(RankOf(participant.announcement(), participant.key(), participant.partition())),
       watch_(participant, kGoLowState.name),
       announcements_(participant),
-      go_(participant, kGoLowState, kEar),
-      hg_(participant, kHgLowState, kEar) {}
+      go_{.topic = kGoLowState},
+      hg_{.topic = kHgLowState} {}
 
 StrangerWatch::News StrangerWatch::Poll() {
   News news;
@@ -37,17 +39,23 @@ StrangerWatch::News StrangerWatch::Poll() {
     news.appeared.push_back(writer);
   }
   // Always reads the samples: one left unread would be taken for a later publication.
-  Hear(&go_, &news);
-  Hear(&hg_, &news);
+  Hear(&go_, writers, &news);
+  Hear(&hg_, writers, &news);
   return news;
 }
 
 template <typename Msg>
-void StrangerWatch::Hear(bus::Reader<Msg>* ear, News* news) {
-  ear->Take([&](const Msg&, bus::WriterHandle writer) {
+void StrangerWatch::Hear(Ear<Msg>* ear, const std::vector<bus::Neighbour>& writers, News* news) {
+  const std::string_view type = bus::TypeName(*ear->topic.descriptor);
+  if (std::ranges::none_of(writers, [&](const auto& one) { return one.type == type; })) {
+    ear->reader.reset();
+    return;
+  }
+  if (!ear->reader) ear->reader.emplace(participant_, ear->topic, kEar);
+  ear->reader->Take([&](const Msg&, bus::WriterHandle writer) {
     const auto is_silent = [](const Stranger& stranger) { return !stranger.speaks; };
     if (std::ranges::none_of(strangers_, is_silent)) return;
-    const std::optional<bus::ParticipantKey> speaker = ear->ParticipantOf(writer);
+    const std::optional<bus::ParticipantKey> speaker = ear->reader->ParticipantOf(writer);
     for (Stranger& stranger : strangers_) {
       if (stranger.speaks || stranger.who.participant != speaker) continue;
       stranger.speaks = true;
@@ -57,7 +65,8 @@ void StrangerWatch::Hear(bus::Reader<Msg>* ear, News* news) {
 }
 
 StrangerWatch::Kind StrangerWatch::KindOf(const bus::Announcement& announcement) const {
-  const std::optional<RobotRank> theirs = RankOf(announcement.text, announcement.participant);
+  const std::optional<RobotRank> theirs =
+      RankOf(announcement.text, announcement.participant, participant_.partition());
   if (!ours_ || !theirs) return Kind::kOther;
   return *theirs < *ours_ ? Kind::kElder : Kind::kYounger;
 }

@@ -15,10 +15,12 @@ namespace understudy::wire {
 
 // Watches for other participants with a writer of rt/lowstate. It distinguishes those that publish
 // from those that only have a writer, as some C++ clients do (far-unitree-sdk 0.1.8). A participant
-// is one stranger, even with several writers.
+// is one stranger, even with several writers. Discovery alone finds them; rt/lowstate is read only
+// while there is a stranger, in the type that it writes, so that a robot that is alone has one type
+// of the topic in the graph: ROS 2 refuses to echo or record a topic with two.
 class StrangerWatch {
  public:
-  // Starts watching. Throws BusError if Cyclone refuses.
+  // Starts watching. `participant` must outlive the watch. Throws BusError if Cyclone refuses.
   explicit StrangerWatch(const bus::Participant& participant);
 
   // The changes since the last call, in the order of discovery. Each stranger appears once and is
@@ -27,7 +29,8 @@ class StrangerWatch {
     std::vector<bus::Neighbour> appeared;
     std::vector<bus::Neighbour> spoke;
   };
-  // Never blocks. Does not allocate while there is no stranger.
+  // Never blocks. Does not allocate while there is no stranger. Throws BusError if Cyclone refuses
+  // to read what a stranger writes.
   News Poll();
 
   // As of the last Poll.
@@ -50,15 +53,22 @@ class StrangerWatch {
 
   Kind KindOf(const bus::Announcement& announcement) const;
   std::vector<bus::Neighbour> WhoseSpeech(bool speaks) const;
+  // A reader of rt/lowstate in one type, open while a stranger writes that type.
   template <typename Msg>
-  void Hear(bus::Reader<Msg>* ear, News* news);
+  struct Ear {
+    const bus::Topic<Msg>& topic;
+    std::optional<bus::Reader<Msg>> reader{};
+  };
+  template <typename Msg>
+  void Hear(Ear<Msg>* ear, const std::vector<bus::Neighbour>& writers, News* news);
 
+  const bus::Participant& participant_;
   std::optional<RobotRank> ours_;  // nullopt: our participant announces no robot
   bus::NeighbourWatch watch_;
   bus::AnnouncementWatch announcements_;
   std::vector<bus::Announcement> announced_;
-  bus::Reader<unitree_go_msg_dds__LowState_> go_;
-  bus::Reader<unitree_hg_msg_dds__LowState_> hg_;
+  Ear<unitree_go_msg_dds__LowState_> go_;
+  Ear<unitree_hg_msg_dds__LowState_> hg_;
   std::vector<Stranger> strangers_;
 };
 

@@ -1,6 +1,8 @@
 #include "authority/arm_overlay.h"
 
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -15,20 +17,58 @@ constexpr robot::MotorCommand kOther{
     .enabled = true, .q = -1, .dq = 0, .tau = 1, .kp = 10, .kd = 1};
 constexpr robot::MotorCommand kDamp{.enabled = true, .q = robot::kNoPosition, .kd = 4};
 
-TEST(MixTest, GivesTheWeightedTorqueAtEveryAngleAndRate) {
+// The torques of two motors, of which the second scales gains and keeps angles within a clamp.
+class MixTest : public ::testing::Test {
+ protected:
+  MixTest() {
+    spec_.motors.resize(2, {.joint = "", .slot = 0, .torque_limit = 1000});
+    spec_.motors[1].slot = 1;
+    spec_.motors[1].kp_scale = 0.9;
+    spec_.motors[1].kd_scale = 0.8;
+    spec_.motors[1].q_clamp = {-0.52, 0.52};
+    spec_.dynamics = {.use = robot::DynamicsSource::kFitted,
+                      .fitted = {{.slots = {1}, .kd_share = 0.5}}};
+  }
+  double Torque(std::size_t motor, const robot::MotorCommand& command, double q, double dq) const {
+    robot::MotorBank bank(spec_, 0.001);
+    const std::vector<double> at(2, q), rate(2, dq);
+    const robot::RobotCommand both{.motors = {2, command}};
+    return bank.Step({.command = both, .q = at, .dq = rate})[motor];
+  }
+  robot::MotorCommand Mixed(std::size_t motor, const robot::MotorCommand& under,
+                            const robot::MotorCommand& over, double weight) const {
+    return Mix(under, over, weight, spec_.motors[motor].q_clamp);
+  }
+
+  robot::RobotSpec spec_;
+};
+
+TEST_F(MixTest, GivesTheWeightedTorqueOfItsMotorAtEveryAngleAndRate) {
   for (const robot::MotorCommand& over : {kOther, kDamp, robot::MotorCommand{}}) {
     for (const double weight : {0.0, 0.25, 0.7, 1.0}) {
-      const robot::MotorCommand mixed = Mix(kHold, over, weight);
-      for (const double q : {-2.0, 0.0, 1.5}) {
-        for (const double dq : {-3.0, 0.0, 2.0}) {
-          EXPECT_NEAR(robot::DesiredTorque(mixed, q, dq),
-                      (1 - weight) * robot::DesiredTorque(kHold, q, dq) +
-                          weight * robot::DesiredTorque(over, q, dq),
-                      1e-9);
+      for (const std::size_t motor : {0U, 1U}) {
+        const robot::MotorCommand mixed = Mixed(motor, kHold, over, weight);
+        for (const double q : {-2.0, 0.0, 1.5}) {
+          for (const double dq : {-3.0, 0.0, 2.0}) {
+            EXPECT_NEAR(
+                Torque(motor, mixed, q, dq),
+                (1 - weight) * Torque(motor, kHold, q, dq) + weight * Torque(motor, over, q, dq),
+                1e-9)
+                << motor << ' ' << weight << ' ' << q << ' ' << dq;
+          }
         }
       }
     }
   }
+}
+
+TEST_F(MixTest, AsksForTheAngleThatBothSidesAskFor) {
+  for (const double weight : {0.0, 0.001, 0.5, 1.0}) {
+    EXPECT_NEAR(Mixed(0, kHold, kHold, weight).q, kHold.q, 1e-12) << weight;
+  }
+  const robot::MotorCommand damped = Mixed(0, kDamp, kDamp, 0.5);
+  EXPECT_EQ(damped.q, robot::kNoPosition);
+  EXPECT_FALSE(robot::AsksForAngle(damped));
 }
 
 class ArmOverlayTest : public ::testing::Test {
@@ -66,6 +106,14 @@ TEST_F(ArmOverlayTest, CutsTheWeight) {
   arms.Offer(Of(kOther, 7), 0);
   EXPECT_EQ(arms.weight(0), 1);
   arms.Offer(Of(kOther, -1), 0);
+  EXPECT_EQ(arms.weight(0), 0);
+}
+
+TEST_F(ArmOverlayTest, RefusesACommandToAnotherNumberOfMotors) {
+  ArmOverlay arms(spec_);
+  robot::RobotCommand command = Of(kOther, 1);
+  command.motors.pop_back();
+  EXPECT_EQ(arms.Offer(command, 0), robot::Refusal::kMotorCount);
   EXPECT_EQ(arms.weight(0), 0);
 }
 

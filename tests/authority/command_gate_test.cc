@@ -55,6 +55,15 @@ TEST_F(CommandGateTest, FollowsTheStartCommandUntilOneIsTaken) {
   EXPECT_EQ(gate_.timeouts(), 0U);
 }
 
+TEST_F(CommandGateTest, RefusesACommandToAnotherNumberOfMotors) {
+  robot::RobotCommand command = Torques(5, 6);
+  command.motors.emplace_back();
+  EXPECT_EQ(lenient_.gate.Offer(command, 1), robot::Refusal::kMotorCount);
+  command.motors.resize(1);
+  EXPECT_EQ(lenient_.gate.Offer(command, 1), robot::Refusal::kMotorCount);
+  EXPECT_EQ(lenient_.gate.Current(1).motors, start_.motors);
+}
+
 TEST_F(CommandGateTest, RefusesEveryCommandWhileClosedAndSaysWhatIsWrongWithIt) {
   gate_.Close();
   EXPECT_EQ(strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 1), robot::Refusal::kMotionService);
@@ -73,10 +82,10 @@ TEST_F(CommandGateTest, RefusesWhileClosedThoughLenient) {
 
 TEST_F(CommandGateTest, RestsInDampingOrLimpUntilACommandIsTaken) {
   gate_.Close();
-  gate_.Rest();
+  gate_.OpenPassive();
   EXPECT_EQ(gate_.state(), GateState::kDamping);
   EXPECT_EQ(gate_.Current(1).motors, DampingCommand(2, 3).motors);
-  gate_.Rest(/*limp=*/true);
+  gate_.OpenPassive(/*limp=*/true);
   EXPECT_EQ(gate_.state(), GateState::kLimp);
   for (const robot::MotorCommand& motor : gate_.Current(1).motors) EXPECT_FALSE(motor.enabled);
   EXPECT_EQ(gate_.timeouts(), 0U);
@@ -100,9 +109,9 @@ TEST_F(CommandGateTest, FollowsTheLastOfSeveral) {
 
 TEST_F(CommandGateTest, KeepsTheJointSpaceOfTheCommand) {
   robot::RobotCommand command = Torques(5, 6);
-  command.joint_space = robot::JointSpace::kMotors;
+  command.motors[1].space = robot::JointSpace::kMotors;
   strict_.Offer(command, robot::Refusal::kNone, 0);
-  EXPECT_EQ(gate_.Current(0).joint_space, robot::JointSpace::kMotors);
+  EXPECT_EQ(gate_.Current(0).motors, command.motors);
 }
 
 TEST_F(CommandGateTest, GoesToDampingWhenCommandsStop) {
@@ -258,7 +267,6 @@ TEST(DampingCommandTest, BrakesEveryMotorAndHoldsNone) {
   for (const robot::MotorCommand& motor : command.motors) {
     EXPECT_EQ(motor, (robot::MotorCommand{.enabled = true, .q = robot::kNoPosition, .kd = 2}));
   }
-  EXPECT_EQ(command.joint_space, robot::JointSpace::kPitchRoll);
 }
 
 TEST(RefusalTest, HasAWordForEveryReason) {

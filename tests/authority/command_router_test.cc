@@ -47,8 +47,9 @@ class CommandRouterTest : public ::testing::Test {
     spec_.remote.speed = {1, 0.5, 2};
   }
   void Make() {
-    router_ = std::make_unique<CommandRouter>(spec_, GateConfig{}, config_, Of(kStartTorque),
-                                              std::make_unique<RecordingMotion>(&asked_, walks_));
+    router_ = std::make_unique<CommandRouter>(
+        spec_, GateConfig{}, config_, Of(kStartTorque),
+        [this](std::string_view) { return std::make_unique<RecordingMotion>(&asked_, walks_); });
   }
   // Torques of both motors in a tick of the service, or in one between.
   std::pair<double, double> Torques(bool service_due = true) {
@@ -156,12 +157,12 @@ TEST_F(CommandRouterTest, LeavesTheMotorsToTheUserWhenTheServiceDoes) {
   Make();
   EXPECT_EQ(OfferUser(), robot::Refusal::kNotHandedOver);
   EXPECT_EQ(Torques(), Pair(kService, kService));
-  router_->owner().SetUserControl(true);
+  router_->owner().onboard().user_control = true;
   EXPECT_EQ(Torques(), Pair(kService, kService));
   EXPECT_EQ(OfferUser(), robot::Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kUser, kUser));
   EXPECT_EQ(Offer(), robot::Refusal::kMotionService);
-  router_->owner().SetUserControl(false);
+  router_->owner().onboard().user_control = false;
   EXPECT_EQ(Torques(), Pair(kService, kService));
 }
 
@@ -260,7 +261,7 @@ TEST_F(CommandRouterTest, SticksWithinTheirRestMoveNothing) {
 TEST_F(CommandRouterTest, SticksThatAreSwitchedOffStopWhatTheyBeganAndMoveNothing) {
   Make();
   router_->Obey({.there = true, .ly = 1}, 0);
-  router_->owner().SetSticks(false);
+  router_->owner().onboard().sticks = false;
   router_->Obey({.there = true, .ly = 1}, 0);
   ASSERT_EQ(asked_.size(), 2U);
   EXPECT_EQ(asked_[1], MotionGoal(goal::Move{0, 0, 0, 0.1, true}));

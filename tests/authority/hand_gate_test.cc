@@ -1,6 +1,7 @@
 #include "authority/hand_gate.h"
 
 #include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -119,14 +120,15 @@ TEST_F(HandGateTest, RefusedCommandsDoNotKeepItFromStopping) {
   EXPECT_TRUE(IsLocked(0, 1.1));
 }
 
-TEST_F(HandGateTest, StaysLockedUntilACommandNoLongerHasItWatched) {
+TEST_F(HandGateTest, GoesOnWithTheNextCommandAlsoOneThatHasItWatched) {
   Offer(Torques(1, 2, /*watched=*/true), 0);
   gate_.Current(2);
-  EXPECT_EQ(Offer(Torques(3, 4, /*watched=*/true), 2), robot::Refusal::kNone);
-  EXPECT_TRUE(IsLocked(0, 2));
   EXPECT_TRUE(TimedOut(0, 2));
-  EXPECT_EQ(Offer(Torques(5, 6), 2.1), robot::Refusal::kNone);
-  EXPECT_EQ(gate_.Current(2.1).motors[0], Torque(5));
+  EXPECT_EQ(Offer(Torques(3, 4, /*watched=*/true), 2), robot::Refusal::kNone);
+  EXPECT_EQ(gate_.Current(2).motors[0], Torque(3, /*watched=*/true));
+  EXPECT_TRUE(TimedOut(0, 3.1));
+  EXPECT_EQ(Offer(Torques(5, 6), 3.2), robot::Refusal::kNone);
+  EXPECT_EQ(gate_.Current(3.2).motors[0], Torque(5));
 }
 
 TEST_F(HandGateTest, IsAsBeforeTheFirstCommandAfterARestart) {
@@ -182,6 +184,73 @@ TEST_F(HandGateTest, LenientRefusesAWrongCountAndHarmAllTheSame) {
   EXPECT_EQ(Offer(&lenient_, Torques(kNan, 2), robot::Refusal::kMotorMode),
             robot::Refusal::kNotFinite);
   EXPECT_TRUE(IsLocked(0, 0));
+}
+
+// A hand of two motors that its own controllers lead to goals, at 2 rad/s at most.
+class GoalHandTest : public testing::Test {
+ protected:
+  static robot::HandSpec Hand(const std::string& law) {
+    robot::HandSpec spec{.name = "left", .law = law, .timeout = 1};
+    for (const char* joint : {"thumb", "index"}) {
+      spec.motors.push_back(
+          {.joint = joint, .knee_speed = 2, .hold_kp = 8, .hold_kd = 0.2, .span = {1, 0}});
+    }
+    return spec;
+  }
+  static robot::RobotCommand Goal(double q, double speed = 0) {
+    return {.motors = {{.enabled = true, .q = q, .dq = speed, .tau = 9, .kp = 9, .kd = 9},
+                       {.enabled = true, .q = -q, .dq = speed}}};
+  }
+};
+
+TEST_F(GoalHandTest, AnInspireIsLedAtFullSpeedByItsOwnGainsAndStaysThere) {
+  HandGate gate(Hand("inspire"));
+  EXPECT_FALSE(gate.Current(0).motors[0].enabled);
+  ASSERT_EQ(gate.Offer(Goal(1), 10), robot::Refusal::kNone);
+  EXPECT_EQ(gate.Current(10).motors[0].q, 0);
+  EXPECT_EQ(gate.Current(10.25).motors[0],
+            (robot::MotorCommand{.enabled = true, .q = 0.5, .dq = 2, .kp = 8, .kd = 0.2}));
+  EXPECT_EQ(gate.Current(10.25).motors[1].q, -0.5);
+  EXPECT_EQ(gate.Current(10.25).motors[1].dq, -2);
+  EXPECT_EQ(gate.Current(1000).motors[0],
+            (robot::MotorCommand{.enabled = true, .q = 1, .kp = 8, .kd = 0.2}));
+  EXPECT_EQ(gate.timeouts(), 0U);
+}
+
+TEST_F(GoalHandTest, ANewGoalTakesOverFromWhereTheOldOneHasLed) {
+  HandGate gate(Hand("inspire"));
+  ASSERT_EQ(gate.Offer(Goal(1), 0), robot::Refusal::kNone);
+  ASSERT_EQ(gate.Offer(Goal(0), 0.25), robot::Refusal::kNone);
+  EXPECT_EQ(gate.Current(0.25).motors[0].q, 0.5);
+  EXPECT_EQ(gate.Current(0.375).motors[0].q, 0.25);
+  EXPECT_EQ(gate.Current(9).motors[0].q, 0);
+}
+
+TEST_F(GoalHandTest, ARevo2MovesAtTheSpeedOfItsCommandAndNeverAtSpeedZero) {
+  HandGate gate(Hand("brainco"));
+  ASSERT_EQ(gate.Offer(Goal(0, 2), 0), robot::Refusal::kNone);
+  EXPECT_EQ(gate.Current(10).motors[0].q, 0);
+  ASSERT_EQ(gate.Offer(Goal(1, 0.5), 10), robot::Refusal::kNone);
+  EXPECT_EQ(gate.Current(11).motors[0].q, 0.5);
+  ASSERT_EQ(gate.Offer(Goal(1, 0), 11), robot::Refusal::kNone);
+  EXPECT_EQ(gate.Current(99).motors[0].q, 0.5);
+}
+
+TEST_F(GoalHandTest, ARevo2GoesToZeroBeforeTheFirstCommandAndAfterARestart) {
+  HandGate gate(Hand("brainco"));
+  EXPECT_TRUE(gate.Current(0).motors[0].enabled);
+  EXPECT_EQ(gate.Current(5).motors[0].q, 1) << "the angle of q 0";
+  ASSERT_EQ(gate.Offer(Goal(0, 2), 5), robot::Refusal::kNone);
+  EXPECT_EQ(gate.Current(9).motors[0].q, 0);
+  gate.Restart();
+  EXPECT_EQ(gate.Current(9).motors[0].q, 1);
+}
+
+TEST_F(GoalHandTest, RefusesWhatIsNotFiniteAndGoesOn) {
+  HandGate gate(Hand("inspire"));
+  ASSERT_EQ(gate.Offer(Goal(1), 0), robot::Refusal::kNone);
+  EXPECT_EQ(gate.Offer(Goal(kNan), 0.25), robot::Refusal::kNotFinite);
+  EXPECT_EQ(gate.Current(0.25).motors[0].q, 0.5);
 }
 
 }  // namespace

@@ -1,14 +1,21 @@
 #include "authority/motor_owner.h"
 
+#include <map>
+#include <string>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace understudy::authority {
 namespace {
 
-// Counts what is asked of it.
+using Starts = std::map<std::string, int, std::less<>>;
+
+// Counts its starts.
 class CountingMotion final : public Motion {
  public:
-  explicit CountingMotion(int* starts) : starts_(starts) {}
+  CountingMotion(std::string_view alias, Starts* starts)
+      : starts_(&(*starts)[std::string(alias)]) {}
   void Start(const MotionInput&) override { ++*starts_; }
   MotionVerdict Ask(const MotionGoal&) override { return MotionVerdict::kTaken; }
   void Step(const MotionInput&, double, robot::RobotCommand* command) override {
@@ -28,10 +35,12 @@ class MotorOwnerTest : public ::testing::Test {
              {.name = "vui_service"},
              {.name = "basic_service", .is_protected = true}},
             "0",
-            std::make_unique<CountingMotion>(&starts_)};
+            [this](std::string_view alias) {
+              return std::make_unique<CountingMotion>(alias, &starts_);
+            }};
   }
 
-  int starts_ = 0;
+  Starts starts_;  // by alias
   robot::RobotCommand command_{.motors = std::vector<robot::MotorCommand>(1)};
 };
 
@@ -58,11 +67,43 @@ TEST_F(MotorOwnerTest, StartsAServiceAnewWheneverItTakesOver) {
   MotorOwner owner = Make(true);
   owner.Step({}, 0.002, &command_);
   owner.Step({}, 0.002, &command_);
-  EXPECT_EQ(starts_, 1);
+  EXPECT_EQ(starts_["normal"], 1);
   EXPECT_EQ(owner.Select("ai"), OwnerVerdict::kDone);
   EXPECT_EQ(owner.active(), "ai");
   owner.Step({}, 0.002, &command_);
-  EXPECT_EQ(starts_, 2);
+  EXPECT_EQ(starts_["normal"], 1);
+  EXPECT_EQ(starts_["ai"], 1);
+  owner.Select("normal");
+  owner.Step({}, 0.002, &command_);
+  EXPECT_EQ(starts_["normal"], 2);
+}
+
+TEST_F(MotorOwnerTest, HasAControllerOfItsOwnForEachMotionService) {
+  Make(true);
+  EXPECT_THAT(starts_, ::testing::UnorderedElementsAre(::testing::Pair("normal", 0),
+                                                       ::testing::Pair("ai", 0)));
+}
+
+TEST_F(MotorOwnerTest, ResetsWhatEndsWithTheMotionService) {
+  MotorOwner owner = Make(true);
+  const auto change = [&] {
+    owner.onboard() = {.silent = true, .user_control = true, .sticks = false};
+    EXPECT_TRUE(owner.user_control());
+  };
+  const auto reset = [&] {
+    EXPECT_FALSE(owner.onboard().user_control);
+    EXPECT_TRUE(owner.onboard().sticks);
+    EXPECT_TRUE(owner.onboard().silent) << "a setting of motion_switcher";
+  };
+  change();
+  owner.Restart();
+  reset();
+  change();
+  owner.Select("ai");
+  reset();
+  change();
+  owner.Switch("ai_sport", false);
+  reset();
 }
 
 TEST_F(MotorOwnerTest, KeepsAServiceThatIsSelectedAgain) {
@@ -70,7 +111,7 @@ TEST_F(MotorOwnerTest, KeepsAServiceThatIsSelectedAgain) {
   owner.Step({}, 0.002, &command_);
   EXPECT_EQ(owner.Select("normal"), OwnerVerdict::kDone);
   owner.Step({}, 0.002, &command_);
-  EXPECT_EQ(starts_, 1);
+  EXPECT_EQ(starts_["normal"], 1);
 }
 
 TEST_F(MotorOwnerTest, RefusesNamesItDoesNotKnow) {

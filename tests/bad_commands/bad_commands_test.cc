@@ -57,11 +57,11 @@ INSTANTIATE_TEST_SUITE_P(Robots, BadCommandsTest, testing::ValuesIn(test::Robots
                          [](const auto& robot) { return robot.param; });
 
 TEST(BadCommandsReferenceTest, IsWhatDocsBadCommandsMdHas) {
-  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/bad_commands.md", std::ios::binary);
+  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/reference/bad_commands.md", std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(file), {});
   if (text == Reference()) return;
   std::ofstream("bad_commands.md", std::ios::binary) << Reference();
-  FAIL() << "docs/bad_commands.md is not what the table says; copy "
+  FAIL() << "docs/reference/bad_commands.md is not what the table says; copy "
          << std::filesystem::absolute("bad_commands.md") << " over it";
 }
 

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "assembly/make_world.h"
 #include "bus/reader.h"
-#include "physics/world_model.h"
 #include "tests/support/new_domain.h"
 #include "wire/message_crc.h"
 #include "wire/topics.h"
@@ -134,16 +134,14 @@ Rig::Rig(const std::string& robot, bool service)
       domain_(test::NewDomain()),
       alias_(test::NewDomain()),
       participant_("lo", domain_),
-      port_(participant_, config_.robot, config_.physics.timestep),
+      port_(participant_, config_.robots[0].spec, config_.physics.timestep),
       stranger_(domain_),
       network_(bus::JoinOverTheNetwork(domain_, alias_)),
       host_(alias_),
-      world_(MakePhysics(), config::WorldSettingsOf(config_),
-             std::vector<emulator::RobotParts>{{.spec = config_.robot,
-                                                .settings = config::RobotSettingsOf(config_),
-                                                .port = &port_}},
-             &inbox_),
-      ranges_(world_.physics().robot().ranges()),
+      world_(assembly::MakeWorld(
+          assembly::MakePhysics(&config_).world, config_,
+          [this](std::size_t) { return assembly::Ports{&port_}; }, &inbox_)),
+      ranges_(world_->physics().robot().ranges()),
       writer_(Join()) {
   if (is_go()) {
     listener_ = std::make_unique<FamilyListener<Go>>(participant_);
@@ -152,16 +150,8 @@ Rig::Rig(const std::string& robot, bool service)
   }
 }
 
-physics::World Rig::MakePhysics() const {
-  const std::vector<physics::PlacedRobot> robots = {
-      {.spec = config_.robot, .file = kRoot / "models" / config_.robot.model}};
-  return {
-      physics::LoadWorldModel(robots, kRoot / "models/scene/flat.xml", config_.physics.timestep),
-      robots};
-}
-
 void Rig::Restart() {
-  world_.robot().Reset(robot::StartPose::kClamped);
+  world_->robot(0).Reset(robot::StartPose::kClamped);
   Tick(5);
   before_ = status();
   before_lowstates_ = listener_->heard;
@@ -171,7 +161,7 @@ void Rig::Restart() {
 Message Rig::Reach(double by) const {
   Message message{.mode_machine = static_cast<std::uint8_t>(spec().mode_machine),
                   .slots = std::vector<Slot>(is_go() ? wire::kGoMotorSlots : wire::kHgMotorSlots)};
-  const auto q = world_.physics().robot().q();
+  const auto q = world_->physics().robot().q();
   for (std::size_t i = 0; i < spec().motors.size(); ++i) {
     const robot::MotorSpec& motor = spec().motors[i];
     message.slots[wire::SlotOf(motor)] = {.q = static_cast<float>(q[i] + by),
@@ -194,8 +184,8 @@ std::unique_ptr<Writer> Rig::JoinAsOtherFamily() {
 
 void Rig::Tick(int ms) {
   for (int i = 0; i < ms; ++i) {
-    ASSERT_EQ(world_.Tick({}), physics::StepHealth::kFine);
-    const auto torque = world_.robot().torque();
+    ASSERT_EQ(world_->Tick({}), physics::StepHealth::kFine);
+    const auto torque = world_->robot(0).torque();
     for (std::size_t m = 0; m < spec().motors.size(); ++m) {
       ASSERT_TRUE(std::isfinite(torque[m]));
       ASSERT_LE(std::abs(torque[m]), spec().motors[m].torque_limit * 1.0001);

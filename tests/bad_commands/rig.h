@@ -62,7 +62,7 @@ class Rig {
   // The robot as at its start; counts are those from now on.
   void Restart();
 
-  const robot::RobotSpec& spec() const { return config_.robot; }
+  const robot::RobotSpec& spec() const { return config_.robots[0].spec; }
   bool is_go() const { return spec().family == robot::WireFamily::kGo; }
 
   // A command that has each motor at its angle and `by` rad further.
@@ -88,18 +88,16 @@ class Rig {
   std::uint64_t unset_heads() const;
   std::uint64_t timeouts() const;
   int lowstates() const { return listener_->heard - before_lowstates_; }
-  emulator::Status status() const { return world_.status(); }
+  emulator::Status status() const { return world_->status(0); }
   authority::GateState gate() const { return status().gate; }
   // The angle at which the first motor is commanded to be.
-  double commanded() const { return world_.robot().command().motors[0].q; }
-  double q() const { return world_.physics().robot().q()[0]; }  // of the first joint, rad
-  double torque() const { return world_.robot().torque()[0]; }  // of the first motor, N·m
-  double largest_torque() const { return largest_torque_; }     // of it since the restart
-  std::array<double, 2> range() const { return ranges_[0]; }    // of the first joint, rad
+  double commanded() const { return world_->robot(0).command().motors[0].q; }
+  double q() const { return world_->physics().robot().q()[0]; }   // of the first joint, rad
+  double torque() const { return world_->robot(0).torque()[0]; }  // of the first motor, N·m
+  double largest_torque() const { return largest_torque_; }       // of it since the restart
+  std::array<double, 2> range() const { return ranges_[0]; }      // of the first joint, rad
 
  private:
-  physics::World MakePhysics() const;
-
   config::Config config_;
   int domain_, alias_;  // the second is the same domain, reached over the network
   bus::Participant participant_;
@@ -108,7 +106,7 @@ class Rig {
   bus::Entity network_;
   bus::Stranger host_;
   emulator::Inbox inbox_;
-  emulator::World world_;
+  std::unique_ptr<emulator::World> world_;
   std::vector<std::array<double, 2>> ranges_;
   std::unique_ptr<Writer> writer_;
   std::unique_ptr<Listener> listener_;

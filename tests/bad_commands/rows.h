@@ -31,7 +31,7 @@ std::vector<Row> WriterRows();
 
 const std::vector<Row>& Rows();
 
-// docs/bad_commands.md.
+// docs/reference/bad_commands.md.
 std::string Reference();
 
 }  // namespace understudy::bad_commands

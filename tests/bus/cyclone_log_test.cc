@@ -44,6 +44,22 @@ TEST(CycloneNoticeTest, IsMadeOfBytesThatAreNoMessageWhichAreCountedAndNotPrinte
   EXPECT_THAT(TakeCycloneNotices(), ElementsAre());
 }
 
+// Two robots in one process, each with a participant of its own.
+TEST(UndecodedSamplesTest, AreThoseOfTheReadersParticipantOnly) {
+  const int domain = test::NewDomain(), other = test::NewDomain(), alias = test::NewDomain();
+  const Participant ours("lo", domain), another("lo", other);
+  const Reader<Hello> reader(ours, kTopic), elsewhere(another, kTopic);
+  const Entity network = JoinOverTheNetwork(domain, alias);
+  const Stranger stranger(alias);
+  const GarbageWriter garbage(stranger, kTopic.name, HelloWorldData_Msg_desc);
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
+  EXPECT_TRUE(test::Eventually([&] {
+    garbage.Send();
+    return reader.undecoded() >= 2;
+  }));
+  EXPECT_EQ(elsewhere.undecoded(), 0U);
+}
+
 TEST(CycloneNoticeTest, SaysHowOften) {
   EXPECT_EQ((CycloneNotice{.line = "bad", .count = 1}.text()), "bad");
   EXPECT_EQ((CycloneNotice{.line = "bad", .count = 3}.text()), "bad (3 times)");

@@ -25,7 +25,16 @@ TEST(InterfacesTest, FindsLoopback) {
   const NetworkInterface lo = FindInterface("lo");
   EXPECT_EQ(lo.name, "lo");
   EXPECT_TRUE(lo.up);
-  EXPECT_TRUE(lo.ipv4);
+  EXPECT_EQ(DdsAddress(lo), "127.0.0.1");
+}
+
+TEST(InterfacesTest, TakesTheAddressInARobotsNetworkBeforeOthers) {
+  const auto address = [](std::vector<std::string> all) {
+    return DdsAddress({.name = "eth0", .addresses = std::move(all)});
+  };
+  EXPECT_EQ(address({"10.0.0.7", "192.168.123.99"}), "192.168.123.99");
+  EXPECT_EQ(address({"192.168.123.99", "192.168.123.161"}), "192.168.123.161");
+  EXPECT_EQ(address({"10.0.0.7", "192.168.12.1"}), "10.0.0.7");
 }
 
 TEST(InterfacesTest, ListsEachInterfaceOnce) {

@@ -7,13 +7,19 @@
 #include <gmock/gmock.h>
 
 #include "base/errors.h"
+#include "bus/reader.h"
+#include "bus/writer.h"
+#include "idl/std_msgs.h"
 #include "tests/bus/stranger.h"
+#include "tests/support/eventually.h"
 #include "tests/support/new_domain.h"
 
 namespace understudy::bus {
 namespace {
 
 using ::testing::HasSubstr;
+
+constexpr Topic<std_msgs_msg_dds__String_> kText{"rt/text", &std_msgs_msg_dds__String__desc};
 
 std::string Complaint(const std::string& interface, int domain) {
   try {
@@ -44,11 +50,24 @@ TEST(ParticipantTest, RefusesADomainOutOfRange) {
 
 TEST(ParticipantTest, JoinsTheLastDomain) { EXPECT_EQ(Complaint("lo", kLastDomain), ""); }
 
-TEST(ParticipantTest, RefusesADomainThatThisProcessHas) {
+TEST(ParticipantTest, MeetsAnotherOfItsProcessInItsDomain) {
   const int domain = test::NewDomain();
-  const Participant first("lo", domain);
-  EXPECT_THAT(Complaint("lo", domain),
-              HasSubstr("in DDS domain " + std::to_string(domain) + " already"));
+  const Participant first("lo", domain), second("lo", domain), elsewhere("lo", test::NewDomain());
+  EXPECT_NE(first.key(), second.key());
+  const Writer<std_msgs_msg_dds__String_> writer(first, kText);
+  EXPECT_TRUE(test::Eventually([&] { return Reader(second, kText).matched_writers() == 1; }));
+  EXPECT_EQ(Reader(elsewhere, kText).matched_writers(), 0);
+}
+
+TEST(ParticipantTest, MeetsOnlyThoseOfItsPartition) {
+  const int domain = test::NewDomain();
+  const Participant left("lo", domain, "", "left"), right("lo", domain, "", "right"),
+      program("lo", domain, "", "left"), usual("lo", domain);
+  const Writer<std_msgs_msg_dds__String_> writer(left, kText);
+  const Reader same(program, kText), other(right, kText), none(usual, kText);
+  EXPECT_TRUE(test::Eventually([&] { return same.matched_writers() == 1; }));
+  EXPECT_EQ(other.matched_writers(), 0);
+  EXPECT_EQ(none.matched_writers(), 0);
 }
 
 TEST(ParticipantTest, LeavesItsDomainForTheNext) {

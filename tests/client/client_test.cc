@@ -101,7 +101,7 @@ TEST_F(ClientTest, AsksAgainAndAgainOnOneConnection) {
   });
   const server::ControlServer server(
       path_, {.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox}, {.connections = 1});
-  Connection connection(path_, test::kBound);
+  ControlConnection connection(path_, test::kBound);
   EXPECT_EQ(connection.Ask("POST", "/clamp", R"({"on": true})", test::kBound).status, 200u);
   EXPECT_EQ(connection.Ask("POST", "/clamp", "{", test::kBound).status, 400u);
   EXPECT_EQ(connection.Ask("POST", "/clamp", R"({"on": true})", test::kBound).status, 200u);
@@ -114,7 +114,7 @@ TEST_F(ClientTest, SaysWhenTheRobotWentMeanwhile) {
   emulator::Inbox inbox;
   auto server = std::make_unique<server::ControlServer>(
       path_, server::Plane{.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox});
-  Connection connection(path_, test::kBound);
+  ControlConnection connection(path_, test::kBound);
   EXPECT_EQ(connection.Ask("GET", "/status", "", test::kBound).status, 200u);
   server.reset();
   EXPECT_THAT([&] { connection.Ask("GET", "/status", "", test::kBound); },

@@ -8,26 +8,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/errors.h"
 #include "config/load.h"
 #include "config/robot_file.h"
+#include "schema/yaml_reader.h"
+#include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_robot.h"
 
 namespace understudy::config {
 
-// What the error of `run` says, "" when it throws none. Errors of users are one line.
-template <class F>
-std::string ErrorOf(F run) {
-  try {
-    run();
-  } catch (const ConfigError& e) {
-    const std::string what = e.what();
-    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
-    return what;
-  }
-  return "";
-}
+using schema::OneLine;
+using schema::ParseYaml;
+using schema::ReadYamlFile;
+using test::ErrorOf;
 
 class ConfigFixture : public testing::Test {
  protected:

@@ -11,28 +11,32 @@ namespace {
 class DataDirTest : public ConfigFixture {};
 
 TEST_F(DataDirTest, PrefersTheVariable) {
-  EXPECT_EQ(FindDataDir(directory_.c_str(), "/nowhere/bin/understudy", UNDERSTUDY_SOURCE_DIR),
+  EXPECT_EQ(FindDataDir(directory_.c_str(), "/nowhere/bin/understudy", "", UNDERSTUDY_SOURCE_DIR),
             directory_);
 }
 
 TEST_F(DataDirTest, RefusesAVariableThatNamesNoDataDirectory) {
-  EXPECT_EQ(ErrorOf([&] { FindDataDir("/nowhere", "/nowhere/bin/understudy", directory_); }),
+  EXPECT_EQ(ErrorOf([&] { FindDataDir("/nowhere", "/nowhere/bin/understudy", "", directory_); }),
             "UNDERSTUDY_DATA_DIR: expected a directory with config/robots, got '/nowhere'");
 }
 
 TEST_F(DataDirTest, FindsTheInstalledDirectoryBesideTheProgram) {
   const std::filesystem::path share = directory_ / "share" / "understudy";
   std::filesystem::create_directories(share / "config" / "robots");
-  EXPECT_EQ(FindDataDir(nullptr, directory_ / "bin" / "understudy", directory_), share);
-  EXPECT_EQ(FindDataDir("", directory_ / "bin" / "understudy", directory_), share);
+  EXPECT_EQ(FindDataDir(nullptr, directory_ / "bin" / "understudy", "", directory_), share);
+  EXPECT_EQ(FindDataDir("", directory_ / "bin" / "understudy", "", directory_), share);
+}
+
+TEST_F(DataDirTest, FindsThatOfThePackageWithWhichAProgramWasBuilt) {
+  EXPECT_EQ(FindDataDir(nullptr, "/home/user/bin/mine", directory_, "/nowhere"), directory_);
 }
 
 TEST_F(DataDirTest, FallsBackToTheSourceTree) {
-  EXPECT_EQ(FindDataDir(nullptr, "/nowhere/bin/understudy", directory_), directory_);
+  EXPECT_EQ(FindDataDir(nullptr, "/nowhere/bin/understudy", "", directory_), directory_);
 }
 
 TEST_F(DataDirTest, RefusesWhenThereIsNone) {
-  EXPECT_EQ(ErrorOf([] { FindDataDir(nullptr, "/a/bin/understudy", "/b"); }),
+  EXPECT_EQ(ErrorOf([] { FindDataDir(nullptr, "/a/bin/understudy", "", "/b"); }),
             "no robot files: neither /a/share/understudy nor /b holds config/robots; set "
             "UNDERSTUDY_DATA_DIR");
 }

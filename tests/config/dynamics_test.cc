@@ -11,7 +11,7 @@ using testing::HasSubstr;
 const std::filesystem::path kSource = UNDERSTUDY_SOURCE_DIR;
 
 robot::RobotSpec Shipped(const std::string& robot, const std::vector<std::string>& sets = {}) {
-  return LoadConfig({.robot = robot, .files = {}, .sets = sets}, kSource).robot;
+  return LoadConfig({.robot = robot, .files = {}, .sets = sets}, kSource).robots[0].spec;
 }
 
 TEST(DynamicsTest, ARobotUsesTheFitWhereThereIsOne) {
@@ -50,8 +50,8 @@ double EffectiveKd(const robot::RobotSpec& g1, const std::string& joint) {
   return 0;
 }
 
-// docs/sources.md#parallel-pairs: four sessions of a real G1 show kd times 1.38 to 1.69 at ankle
-// and waist pitch, 0.46 to 0.55 at their roll and 0.97 to 1.00 elsewhere.
+// docs/dev/sources.md#parallel-pairs: four sessions of a real G1 show kd times 1.38 to 1.69 at
+// ankle and waist pitch, 0.46 to 0.55 at their roll and 0.97 to 1.00 elsewhere.
 TEST(DynamicsTest, ParallelJointsOfAG1BrakeAsLogsOfARealOneShow) {
   const robot::RobotSpec g1 = Shipped("g1");
   for (const std::string part : {"left_ankle", "right_ankle", "waist"}) {

@@ -1,5 +1,5 @@
-// Checks that every figure marked assumed is listed: by the last chapter of docs/fidelity.md, or,
-// of a robot, by the README beside its model.
+// Checks that every figure marked assumed is listed: by the last chapter of
+// docs/reference/fidelity.md, or, of a robot, by the README beside its model.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -24,7 +24,7 @@ std::string Text(const std::filesystem::path& file) {
 }
 
 std::string EverythingAssumed() {
-  const std::string text = Text(kRoot / "docs/fidelity.md");
+  const std::string text = Text(kRoot / "docs/reference/fidelity.md");
   return text.substr(text.find("\n## Everything assumed"));
 }
 

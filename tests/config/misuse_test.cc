@@ -99,13 +99,14 @@ TEST_F(ConfigMisuseTest, RefusesANumberThatIsNoWholeToken) {
 
 TEST_F(ConfigMisuseTest, ReadsNumbersInAnyCommonForm) {
   for (const char* text : {"0.5", ".5", "5e-1", "+0.5", "0.50"}) {
-    EXPECT_EQ(LoadText(std::string("gate:\n  timeout: ") + text + "\n").gate.timeout, 0.5) << text;
+    EXPECT_EQ(LoadText(std::string("gate:\n  timeout: ") + text + "\n").robots[0].gate.timeout, 0.5)
+        << text;
   }
 }
 
 TEST_F(ConfigMisuseTest, ReadsNumbersWhateverTheLocale) {
   const char* set = std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // a decimal comma, where installed
-  EXPECT_EQ(LoadText("gate: {timeout: 0.5}\n").gate.timeout, 0.5);
+  EXPECT_EQ(LoadText("gate: {timeout: 0.5}\n").robots[0].gate.timeout, 0.5);
   EXPECT_NE(FileError("gate:\n  timeout: 0,5\n"), "");
   if (set != nullptr) std::setlocale(LC_NUMERIC, "C");
 }
@@ -121,6 +122,8 @@ TEST_F(ConfigMisuseTest, RefusesANumberThatIsNotFinite) {
 TEST_F(ConfigMisuseTest, RefusesAnUnknownRobot) {
   EXPECT_EQ(ErrorOf([&] { LoadConfig({.robot = "tinny"}, directory_); }),
             "robot 'tinny': unknown; did you mean 'tiny'? (valid: tiny)");
+  EXPECT_EQ(ErrorOf([&] { LoadConfig({.robot = "unitree_tiny"}, directory_); }),
+            "robot 'unitree_tiny': unknown; did you mean 'tiny'? (valid: tiny)");
   EXPECT_EQ(ErrorOf([&] { LoadConfig({}, directory_); }), "robot '': unknown; valid: tiny");
 }
 

@@ -1,9 +1,9 @@
 #include <map>
 
 #include "config/keys.h"
-#include "config/printer.h"
 #include "config/reference.h"
 #include "config_fixture.h"
+#include "schema/printer.h"
 
 namespace understudy::config {
 namespace {
@@ -22,24 +22,24 @@ class PrintConfigTest : public ConfigFixture {
 };
 
 // Every value by its key, as text; elements of lists by index.
-class Collector : public Archive {
+class Collector : public schema::Archive {
  public:
   std::map<std::string, std::string> values;
 
  protected:
-  void Visit(const Row& row, const Slot& slot) override {
-    values[path_ + std::string(row.name)] = ValueText(slot);
+  void Visit(const schema::Field& field, const schema::Slot& slot) override {
+    values[path_ + std::string(field.key)] = ValueText(field, slot);
   }
-  void VisitList(const Row& row, const ListSlot& slot) override {
+  void VisitList(const schema::Field& field, const schema::ListSlot& slot) override {
     const std::string outer = path_;
-    path_ += std::string(row.name) + "[].";
+    path_ += std::string(field.key) + "[].";
     if (slot.size() == 0) slot.describe_blank();
     if (slot.size() != 0) slot.describe(0);
     path_ = outer;
   }
-  bool Enter(const Row& row, std::string_view) override {
+  bool Enter(const schema::Field& field, std::string_view) override {
     outer_.push_back(path_);
-    path_ += std::string(row.name) + ".";
+    path_ += std::string(field.key) + ".";
     return true;
   }
   void Leave() override {
@@ -72,11 +72,20 @@ TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachRevision) {
     for (const std::string& revision : ReadRobotFile(robot, kSource).RevisionNames()) {
       const Config config = LoadConfig(
           {.robot = robot, .files = {}, .sets = {"robot.revision=" + revision}}, kSource);
-      EXPECT_EQ(config.robot.revision, revision);
+      EXPECT_EQ(config.robots[0].spec.revision, revision);
       const std::string printed = PrintConfig(config, false);
       EXPECT_EQ(Again(robot, printed), printed) << robot << " " << revision;
       EXPECT_EQ(Again(Write("robot.yaml", printed), "{}"), printed) << robot << " " << revision;
     }
+  }
+}
+
+TEST_F(PrintConfigTest, ReadsBackAsTheSameWithAnyHands) {
+  for (const std::string make : {"dex1", "inspire", "brainco", "none", "left:inspire,right:dex3"}) {
+    const Config config = LoadConfig({.robot = "g1", .sets = {"robot.hand_make=" + make}}, kSource);
+    const std::string printed = PrintConfig(config, false);
+    EXPECT_EQ(Again("g1", printed), printed) << make;
+    EXPECT_EQ(Again(Write("robot.yaml", printed), "{}"), printed) << make;
   }
 }
 
@@ -85,7 +94,7 @@ TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachFirmware) {
     for (const std::string& firmware : ReadRobotFile(robot, kSource).FirmwareNames()) {
       const Config config = LoadConfig(
           {.robot = robot, .files = {}, .sets = {"robot.firmware='" + firmware + "'"}}, kSource);
-      EXPECT_EQ(config.robot.firmware, firmware);
+      EXPECT_EQ(config.robots[0].spec.firmware, firmware);
       const std::string printed = PrintConfig(config, false);
       EXPECT_EQ(Again(robot, printed), printed) << robot << " " << firmware;
       EXPECT_EQ(Again(Write("robot.yaml", printed), "{}"), printed) << robot << " " << firmware;
@@ -99,8 +108,8 @@ TEST_F(PrintConfigTest, ReadsBackAsTheSameWithEveryKeyChanged) {
   const std::string printed = PrintConfig(config, false);
   EXPECT_EQ(Again("g1", printed), printed);
   EXPECT_EQ(Again("g1", PrintConfig(config, true)), printed);
-  EXPECT_EQ(config.robot.description, "a \"robot\" with \\ and é: #1");
-  EXPECT_EQ(config.robot.standing.q[0], 0.30000000000000004);
+  EXPECT_EQ(config.robots[0].spec.description, "a \"robot\" with \\ and é: #1");
+  EXPECT_EQ(config.robots[0].spec.standing.q[0], 0.30000000000000004);
 }
 
 TEST_F(PrintConfigTest, ChangesEveryKeyInOneOfEverything) {
@@ -124,10 +133,11 @@ TEST_F(PrintConfigTest, WritesListsWithinAnElementOnItsLine) {
       "  motors: [{joint: u, torque_limit: 1}, {joint: v, torque_limit: 2}]}]}\n");
   EXPECT_THAT(
       PrintConfig(config, false),
-      testing::AllOf(HasSubstr("\n  hands:\n    - {name: left, topic: left, motors: [{joint: u, "),
-                     HasSubstr(", lock_kd: 0}, {joint: v, ")));
+      testing::AllOf(HasSubstr("\n  hands:\n    - {name: left, law: dex3, models: [], topic: left, "
+                               "hz: 500, motors: [{joint: u, "),
+                     HasSubstr(", hold_kd: 0}, {joint: v, ")));
   EXPECT_THAT(PrintConfig(config, true),
-              HasSubstr("    # motors: Its motors, in the order of motor_cmd and motor_state\n"
+              HasSubstr("    # motors: Its motors, in the order of the messages\n"
                         "      # joint: Joint of the model that it drives [text]\n"));
 }
 

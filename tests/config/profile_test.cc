@@ -25,9 +25,9 @@ class ProfileTest : public ConfigFixture {
 
 TEST_F(ProfileTest, IsTheUsualOneWhereNothingAsksForOne) {
   const Config config = Load({});
-  EXPECT_EQ(config.profile, "nominal");
-  EXPECT_EQ(config.sensors.imu.gyro_bias, 1);
-  EXPECT_EQ(Load({}, {"profile=''"}).profile, "nominal");
+  EXPECT_EQ(config.robots[0].profile, "nominal");
+  EXPECT_EQ(config.robots[0].sensors.imu.gyro_bias, 1);
+  EXPECT_EQ(Load({}, {"profile=''"}).robots[0].profile, "nominal");
 }
 
 TEST_F(ProfileTest, LiesAboveTheRobotsFileAndBelowWhatTheUserSays) {
@@ -36,12 +36,13 @@ TEST_F(ProfileTest, LiesAboveTheRobotsFileAndBelowWhatTheUserSays) {
             "sensors: {imu: {gyro_bias: 5, gyro_walk: 5, accel_bias: 5}}\n");
   const std::string file = Write("run.yaml", "sensors: {imu: {gyro_walk: 7}}\n");
   const Config config = Load({file}, {"profile=worn", "sensors.imu.accel_walk=0.5"});
-  EXPECT_EQ(config.profile, "worn");
-  EXPECT_EQ(config.sensors.imu.gyro_bias, 2);
-  EXPECT_EQ(config.sensors.imu.gyro_walk, 7);
-  EXPECT_EQ(config.sensors.imu.accel_bias, 5);
-  EXPECT_EQ(config.sensors.imu.accel_walk, 0.5);
-  EXPECT_EQ(Load({}, {"sensors.imu.gyro_bias=0", "profile=worn"}).sensors.imu.gyro_bias, 0)
+  EXPECT_EQ(config.robots[0].profile, "worn");
+  EXPECT_EQ(config.robots[0].sensors.imu.gyro_bias, 2);
+  EXPECT_EQ(config.robots[0].sensors.imu.gyro_walk, 7);
+  EXPECT_EQ(config.robots[0].sensors.imu.accel_bias, 5);
+  EXPECT_EQ(config.robots[0].sensors.imu.accel_walk, 0.5);
+  EXPECT_EQ(Load({}, {"sensors.imu.gyro_bias=0", "profile=worn"}).robots[0].sensors.imu.gyro_bias,
+            0)
       << "whatever their order";
 }
 
@@ -49,16 +50,16 @@ TEST_F(ProfileTest, LiesBelowARobotsFileThatDoesNotLeaveItToTheUser) {
   Write("config/robots/tiny.yaml",
         std::string(test::kTinyRobot) + "profile: worn\nsensors: {imu: {gyro_bias: 5}}\n");
   const Config config = Load({});
-  EXPECT_EQ(config.profile, "worn");
-  EXPECT_EQ(config.sensors.imu.gyro_bias, 5);
-  EXPECT_EQ(config.sensors.imu.gyro_walk, 2);
-  EXPECT_EQ(Load({}, {"profile=nominal"}).sensors.imu.gyro_bias, 1);
+  EXPECT_EQ(config.robots[0].profile, "worn");
+  EXPECT_EQ(config.robots[0].sensors.imu.gyro_bias, 5);
+  EXPECT_EQ(config.robots[0].sensors.imu.gyro_walk, 2);
+  EXPECT_EQ(Load({}, {"profile=nominal"}).robots[0].sensors.imu.gyro_bias, 1);
 }
 
 TEST_F(ProfileTest, IsTheOneThatTheLastLayerAsksFor) {
   const std::string file = Write("run.yaml", "profile: worn\n");
-  EXPECT_EQ(Load({file}).profile, "worn");
-  EXPECT_EQ(Load({file}, {"profile=nominal"}).sensors.imu.gyro_bias, 1);
+  EXPECT_EQ(Load({file}).robots[0].profile, "worn");
+  EXPECT_EQ(Load({file}, {"profile=nominal"}).robots[0].sensors.imu.gyro_bias, 1);
 }
 
 TEST_F(ProfileTest, OfAnUnknownNameIsRefusedWithTheNearest) {
@@ -73,7 +74,7 @@ TEST_F(ProfileTest, OfAnUnknownNameIsRefusedWithTheNearest) {
 
 TEST_F(ProfileTest, IsNoneWhereThereAreNone) {
   std::filesystem::remove_all(directory_ / "config/profiles");
-  EXPECT_EQ(Load({}).profile, "");
+  EXPECT_EQ(Load({}).robots[0].profile, "");
   EXPECT_NE(SetError("profile=worn"), "");
 }
 
@@ -125,7 +126,8 @@ TEST(ProfilesTest, SayTheUnitAndTheSourceOfEachValue) {
       {"worn", "|as nominal"},
       {"harsh", "|as nominal"},
       {"ideal", "|none|no end|no error|not used|the truth|warm|of nothing"}};
-  const std::set<std::string> without_unit = {"quantise", "noise", "imu.saturate", "imu.attitude"};
+  const std::set<std::string> without_unit = {"quantise", "noise", "imu.saturate", "imu.attitude",
+                                              "odometer.legs"};
   for (const auto& [profile, more] : others) {
     const std::map<std::string, std::string> comments = CommentsOf(profile);
     EXPECT_GT(comments.size(), 20U);
@@ -141,9 +143,9 @@ TEST(ProfilesTest, SayTheUnitAndTheSourceOfEachValue) {
   }
 }
 
-// docs/fidelity.md says which keys of nominal.yaml are not: all others are assumed.
+// docs/reference/fidelity.md says which keys of nominal.yaml are not: all others are assumed.
 TEST(ProfilesTest, AreAssumedWhereTheListOfAllThatIsSaysSo) {
-  std::ifstream file(kSource / "docs/fidelity.md");
+  std::ifstream file(kSource / "docs/reference/fidelity.md");
   std::string row;
   while (std::getline(file, row) && !row.starts_with("| `nominal.yaml` |")) continue;
   ASSERT_FALSE(row.empty());
@@ -157,6 +159,7 @@ TEST(ProfilesTest, AreAssumedWhereTheListOfAllThatIsSaysSo) {
 TEST(ProfilesTest, ErrMoreFromOneToTheNext) {
   const auto sensors = [](const std::string& profile) {
     return LoadConfig({.robot = "go2", .files = {}, .sets = {"profile=" + profile}}, kSource)
+        .robots[0]
         .sensors;
   };
   const sensors::SensorConfig ideal = sensors("ideal"), nominal = sensors("nominal"),
@@ -187,6 +190,8 @@ TEST(ProfilesTest, ErrMoreFromOneToTheNext) {
   rises([](S s) { return s.foot.cross_talk; });
   rises([](S s) { return s.odometer.scale; });
   rises([](S s) { return s.odometer.walk; });
+  rises([](S s) { return s.odometer.shortfall; });
+  rises([](S s) { return s.odometer.turn; });
   rises([](S s) { return s.thermometer.time_constant; });
   rises([](S s) { return s.thermometer.offset_c; });
 }

@@ -10,10 +10,10 @@ namespace understudy::config {
 namespace {
 
 TEST(ConfigReferenceDocTest, IsWhatHelpConfigPrints) {
-  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/config.md", std::ios::binary);
+  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/reference/config.md", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(text, ConfigReference())
-      << "write it anew: understudy run go2 --help-config > docs/config.md";
+      << "write it anew: understudy run go2 --help-config > docs/reference/config.md";
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(ConfigReferenceTest, MentionsTheShortFormOfTheGate) {
 
 TEST(ConfigReferenceTest, KnowsTheWordsThatAKeyTakes) {
   EXPECT_THAT(WordsOfKey("gate.mode"), ElementsAre("strict", "lenient"));
-  EXPECT_THAT(WordsOfKey("motion.fight"), ElementsAre("true", "false"));
+  EXPECT_THAT(WordsOfKey("motion.fight"), ElementsAre("false", "true"));
   EXPECT_THAT(WordsOfKey("robot.dynamics.use"), ElementsAre("catalogue", "fitted"));
   for (const char* key : {"gate.timeout", "robot.model", "gate", "none"}) {
     EXPECT_THAT(WordsOfKey(key), IsEmpty()) << key;

@@ -24,7 +24,7 @@ class RobotFileTest : public ConfigFixture {
 };
 
 TEST_F(RobotFileTest, SaysOnlyWhatDiffersFromTheRobotItExtends) {
-  const robot::RobotSpec robot = LoadLong("  hanging: {height: 2}\n").robot;
+  const robot::RobotSpec robot = LoadLong("  hanging: {height: 2}\n").robots[0].spec;
   EXPECT_EQ(robot.name, "long");
   EXPECT_EQ(robot.hanging.height, 2);
   EXPECT_THAT(robot.hanging.q, ElementsAre(0, 0));
@@ -33,29 +33,30 @@ TEST_F(RobotFileTest, SaysOnlyWhatDiffersFromTheRobotItExtends) {
 
 TEST_F(RobotFileTest, ChangesElementsOfListsByNameOrIndex) {
   const robot::RobotSpec robot =
-      LoadLong("  motors:\n    b: {torque_limit: 30}\n    0: {hold_kp: 5}\n").robot;
+      LoadLong("  motors:\n    b: {torque_limit: 30}\n    0: {hold_kp: 5}\n").robots[0].spec;
   ASSERT_EQ(robot.motors.size(), 2U);
   EXPECT_EQ(robot.motors[1].torque_limit, 30);
   EXPECT_EQ(robot.motors[1].slot, 1);
   EXPECT_EQ(robot.motors[0].hold_kp, 5);
-  EXPECT_EQ(Load({}, {"robot.motors.b.slot=7"}).robot.motors[1].slot, 7);
-  EXPECT_THAT(Load({}, {"robot.feet.left.geoms=[x]"}).robot.feet[0].geoms, ElementsAre("x"));
+  EXPECT_EQ(Load({}, {"robot.motors.b.slot=7"}).robots[0].spec.motors[1].slot, 7);
+  EXPECT_THAT(Load({}, {"robot.feet.left.geoms=[x]"}).robots[0].spec.feet[0].geoms,
+              ElementsAre("x"));
 }
 
 TEST_F(RobotFileTest, ExtendsAFileBesideIt) {
   Write("mine/base.yaml", "");  // there is no folder yet
   Write("mine/base.yaml", test::kTinyRobot);
   const std::string path = Write("mine/mine.yaml", "extends: ./base.yaml\nrobot: {name: mine}\n");
-  EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robot.name, "mine");
-  EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robot.motors.size(), 2U);
+  EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robots[0].spec.name, "mine");
+  EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robots[0].spec.motors.size(), 2U);
 }
 
 TEST_F(RobotFileTest, ExtendsWhatExtends) {
   LoadLong("  hanging: {height: 2}\n");
   const std::string path = Write("longer.yaml", "extends: long\nrobot: {name: longer}\n");
   const Config config = LoadConfig({.robot = path}, directory_);
-  EXPECT_EQ(config.robot.name, "longer");
-  EXPECT_EQ(config.robot.hanging.height, 2);
+  EXPECT_EQ(config.robots[0].spec.name, "longer");
+  EXPECT_EQ(config.robots[0].spec.hanging.height, 2);
 }
 
 TEST_F(RobotFileTest, NamesTheFileAndLineOfAFault) {
@@ -109,9 +110,9 @@ constexpr char kRevisions[] = R"(  revision: old
 )";
 
 TEST_F(RobotFileTest, PlaysTheRevisionThatIsAskedForLast) {
-  EXPECT_EQ(LoadLong(kRevisions).robot.motors[1].torque_limit, 20);
+  EXPECT_EQ(LoadLong(kRevisions).robots[0].spec.motors[1].torque_limit, 20);
   const robot::RobotSpec strong =
-      LoadLong(kRevisions, {"robot.revision=stiff", "robot.revision=strong"}).robot;
+      LoadLong(kRevisions, {"robot.revision=stiff", "robot.revision=strong"}).robots[0].spec;
   EXPECT_EQ(strong.revision, "strong");
   EXPECT_EQ(strong.motors[1].torque_limit, 50);
   EXPECT_EQ(strong.mode_machine, 9);
@@ -120,7 +121,7 @@ TEST_F(RobotFileTest, PlaysTheRevisionThatIsAskedForLast) {
 
 TEST_F(RobotFileTest, LaysARevisionBelowEveryOtherLayer) {
   const std::vector<std::string> sets{"robot.motors.b.torque_limit=60", "robot.revision=strong"};
-  EXPECT_EQ(LoadLong(kRevisions, sets).robot.motors[1].torque_limit, 60);
+  EXPECT_EQ(LoadLong(kRevisions, sets).robots[0].spec.motors[1].torque_limit, 60);
 }
 
 TEST_F(RobotFileTest, HasTheRevisionsOfWhatItExtendsAndItsOwn) {
@@ -132,7 +133,8 @@ TEST_F(RobotFileTest, HasTheRevisionsOfWhatItExtendsAndItsOwn) {
               ElementsAre("old", "strong", "new"));
   const robot::RobotSpec robot =
       LoadConfig({.robot = "longer", .files = {}, .sets = {"robot.revision=strong"}}, directory_)
-          .robot;
+          .robots[0]
+          .spec;
   EXPECT_EQ(robot.hanging.height, 3);
   EXPECT_EQ(robot.motors[1].torque_limit, 50);
 }
@@ -164,7 +166,7 @@ TEST_F(RobotFileTest, TellsAFaultInTheRevisionThatIsPlayed) {
 }
 
 TEST_F(RobotFileTest, ReadsNoRevisionThatIsNotPlayed) {
-  EXPECT_EQ(LoadLong("  revisions:\n    new: {moters: 3}\n").robot.name, "long");
+  EXPECT_EQ(LoadLong("  revisions:\n    new: {moters: 3}\n").robots[0].spec.name, "long");
 }
 
 TEST_F(RobotFileTest, RefusesRevisionsThatAreNoMapping) {
@@ -192,7 +194,8 @@ class LockedJointsTest : public ConfigFixture {};
 TEST_F(LockedJointsTest, TakeTheirMotorsAndAnglesOut) {
   const robot::RobotSpec robot = Load({}, {"robot.parallel=[{pitch: 0, roll: 1}]",
                                            "robot.arm_sdk.slots=[0, 1]", "robot.locked_joints=[a]"})
-                                     .robot;
+                                     .robots[0]
+                                     .spec;
   ASSERT_EQ(robot.motors.size(), 1U);
   EXPECT_EQ(robot.motors[0].joint, "b");
   EXPECT_EQ(robot.motors[0].slot, 1);
@@ -213,7 +216,8 @@ TEST_F(LockedJointsTest, KeepPairsOfOthersByTheirNewPlaces) {
   hanging: {q: [1, 2, 3]}
 )")},
                                       {"robot.locked_joints=[a]"})
-                                     .robot;
+                                     .robots[0]
+                                     .spec;
   ASSERT_EQ(robot.parallel.size(), 1U);
   EXPECT_EQ(robot.parallel[0].pitch, 1);
   EXPECT_EQ(robot.parallel[0].roll, 0);
@@ -230,7 +234,7 @@ TEST_F(LockedJointsTest, MayHaveBeenLeftOutByTheFileThatListsAllMotors) {
   const Config config = LoadText(
       "robot:\n  motors: [{joint: b, slot: 1, torque_limit: 1}]\n  locked_joints: [a]\n"
       "  lying: {q: [0]}\n  standing: {q: [0]}\n  hanging: {q: [0]}\n");
-  EXPECT_EQ(config.robot.motors.size(), 1U);
+  EXPECT_EQ(config.robots[0].spec.motors.size(), 1U);
 }
 
 TEST_F(LockedJointsTest, LeaveAtLeastOneMotor) {
@@ -266,21 +270,23 @@ constexpr char kFirmwares[] = R"(  firmware: "2.5"
 
 TEST_F(RobotFileTest, PlaysTheNewestFirmwareThatItReaches) {
   const auto played = [&](const std::string& firmware) {
-    return LoadLong(kFirmwares, {"robot.firmware='" + firmware + "'"}).robot.mode_machine;
+    return LoadLong(kFirmwares, {"robot.firmware='" + firmware + "'"}).robots[0].spec.mode_machine;
   };
-  EXPECT_EQ(LoadLong(kFirmwares).robot.mode_machine, 2) << "2.5, the robot's own";
+  EXPECT_EQ(LoadLong(kFirmwares).robots[0].spec.mode_machine, 2) << "2.5, the robot's own";
   EXPECT_EQ(played("1.0"), 1);
   EXPECT_EQ(played("1.9.9"), 1);
   EXPECT_EQ(played("2.9"), 2);
   EXPECT_EQ(played("2.10.1"), 3);
-  EXPECT_EQ(played("0.9"), LoadLong("").robot.mode_machine) << "older than all";
+  EXPECT_EQ(played("0.9"), LoadLong("").robots[0].spec.mode_machine) << "older than all";
 }
 
 TEST_F(RobotFileTest, LaysAFirmwareOverARevisionAndBelowEveryOtherLayer) {
   const std::vector<std::string> sets{"robot.firmware='1.0'", "robot.revision=strong"};
-  EXPECT_EQ(LoadLong(kFirmwares, sets).robot.motors[1].torque_limit, 50);
-  EXPECT_EQ(
-      LoadLong(kFirmwares, {"robot.firmware='1.0'", "robot.mode_machine=7"}).robot.mode_machine, 7);
+  EXPECT_EQ(LoadLong(kFirmwares, sets).robots[0].spec.motors[1].torque_limit, 50);
+  EXPECT_EQ(LoadLong(kFirmwares, {"robot.firmware='1.0'", "robot.mode_machine=7"})
+                .robots[0]
+                .spec.mode_machine,
+            7);
 }
 
 TEST_F(RobotFileTest, HasTheFirmwaresOfWhatItExtendsAndItsOwn) {

@@ -19,13 +19,24 @@ Config Robot(const std::string& name) {
 
 TEST(RobotsTest, AllLoadUnderTheirOwnNames) {
   for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
-    EXPECT_EQ(Robot(name).robot.name, name);
-    EXPECT_FALSE(Robot(name).robot.description.empty());
+    EXPECT_EQ(Robot(name).robots[0].spec.name, name);
+    EXPECT_FALSE(Robot(name).robots[0].spec.description.empty());
+  }
+}
+
+TEST(RobotsTest, EachServiceOfPicturesHasACamera) {
+  for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
+    const robot::RobotSpec robot = Robot(name).robots[0].spec;
+    for (const std::string& api : robot.apis) {
+      if (!api.ends_with("videohub")) continue;
+      EXPECT_EQ(std::ranges::count(robot.cameras, api, &robot::CameraSpec::service), 1)
+          << name << ": " << api;
+    }
   }
 }
 
 TEST(RobotsTest, Go2HasTwelveMotorsInTheOrderOfTheSdk) {
-  const robot::RobotSpec robot = Robot("go2").robot;
+  const robot::RobotSpec robot = Robot("go2").robots[0].spec;
   EXPECT_EQ(robot.family, robot::WireFamily::kGo);
   ASSERT_EQ(robot.motors.size(), 12U);
   EXPECT_EQ(robot.motors[0].joint, "FR_hip_joint");
@@ -40,7 +51,7 @@ TEST(RobotsTest, Go2HasTwelveMotorsInTheOrderOfTheSdk) {
 }
 
 TEST(RobotsTest, G1Has29MotorsInTheOrderOfTheSdk) {
-  const robot::RobotSpec robot = Robot("g1").robot;
+  const robot::RobotSpec robot = Robot("g1").robots[0].spec;
   EXPECT_EQ(robot.family, robot::WireFamily::kHg);
   EXPECT_EQ(robot.mode_machine, 5);
   ASSERT_EQ(robot.motors.size(), 29U);
@@ -53,8 +64,8 @@ TEST(RobotsTest, G1Has29MotorsInTheOrderOfTheSdk) {
 }
 
 TEST(RobotsTest, TheDex3sAreHandsOfAG1WithSevenMotorsEach) {
-  const robot::RobotSpec robot = Robot("g1_29dof_dex3").robot;
-  const robot::RobotSpec g1 = Robot("g1").robot;
+  const robot::RobotSpec robot = Robot("g1_29dof_dex3").robots[0].spec;
+  const robot::RobotSpec g1 = Robot("g1").robots[0].spec;
   EXPECT_EQ(robot.mode_machine, g1.mode_machine);
   EXPECT_EQ(robot.motors.size(), g1.motors.size());
   EXPECT_TRUE(g1.hands.empty());
@@ -77,7 +88,7 @@ TEST(RobotsTest, TheDex3sAreHandsOfAG1WithSevenMotorsEach) {
 }
 
 TEST(RobotsTest, G1PairsArePitchAndRollOfOneMechanism) {
-  const robot::RobotSpec robot = Robot("g1").robot;
+  const robot::RobotSpec robot = Robot("g1").robots[0].spec;
   ASSERT_EQ(robot.parallel.size(), 3U);
   for (const robot::ParallelSpec& pair : robot.parallel) {
     const std::string& pitch = robot.motors[static_cast<std::size_t>(pair.pitch)].joint;
@@ -90,7 +101,8 @@ TEST(RobotsTest, G1PairsArePitchAndRollOfOneMechanism) {
 // steps of some wrists are another matter.)
 TEST(RobotsTest, LatticesFollowTheMeasuredLaw) {
   for (const std::string name : {"go2", "g1"}) {
-    for (const robot::MotorSpec& motor : Robot(name).robot.motors) {
+    const Config config = Robot(name);
+    for (const robot::MotorSpec& motor : config.robots[0].spec.motors) {
       if (motor.q_step == 0) continue;
       EXPECT_NEAR(motor.dq_step / motor.q_step, 128, 1e-3) << motor.joint;
       const double reduction = 2 * std::acos(-1.0) / 256 / motor.dq_step;
@@ -102,7 +114,7 @@ TEST(RobotsTest, LatticesFollowTheMeasuredLaw) {
 
 // Band of real Go2 robots: a standing one shows a sum of 90 to 135 counts.
 TEST(RobotsTest, Go2FeetShowTheCountsOfAStandingRobot) {
-  const robot::FootSensorSpec sensor = Robot("go2").robot.foot_sensor;
+  const robot::FootSensorSpec sensor = Robot("go2").robots[0].spec.foot_sensor;
   const double sum = 4 * sensor.offset_counts + sensor.counts_per_newton * 15.2 * 9.81;
   EXPECT_GT(sum, 90);
   EXPECT_LT(sum, 135);
@@ -112,7 +124,7 @@ TEST(RobotsTest, Go2FeetShowTheCountsOfAStandingRobot) {
 // 3.66 V at 41 % and 2.1 A of a G1.
 TEST(RobotsTest, PacksGiveTheMeasuredVoltages) {
   const auto cell = [](const std::string& name, double soc, double current) {
-    robot::BatterySpec pack = Robot(name).robot.battery;
+    robot::BatterySpec pack = Robot(name).robots[0].spec.battery;
     pack.start_soc = soc;
     pack.idle_a = current;
     return robot::Battery(pack).reading().voltage / pack.cells;
@@ -124,7 +136,7 @@ TEST(RobotsTest, PacksGiveTheMeasuredVoltages) {
 
 TEST(RobotsTest, EveryMotorIsOfATypeWhoseFiguresFollowFromEachOther) {
   for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
-    robot::RobotSpec robot = Robot(name).robot;
+    robot::RobotSpec robot = Robot(name).robots[0].spec;
     for (const robot::MotorSpec* motor : robot::AllMotors(robot)) {
       const robot::MotorTypeSpec* type = robot::FindMotorType(robot, motor->type);
       ASSERT_NE(type, nullptr) << name << " " << motor->joint;
@@ -138,7 +150,7 @@ TEST(RobotsTest, EveryMotorIsOfATypeWhoseFiguresFollowFromEachOther) {
 
 TEST(RobotsTest, EveryMotorOfABodyLosesItsTorqueWithVoltageAndHeatAndGivesNoMoreThanItsLimit) {
   for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
-    const robot::RobotSpec robot = Robot(name).robot;
+    const robot::RobotSpec robot = Robot(name).robots[0].spec;
     const std::size_t all = robot::AllMotors(robot).size();
     const std::vector<double> still(all);
     const robot::RobotCommand most{
@@ -178,7 +190,7 @@ TEST(RobotsTest, EveryMotorOfABodyLosesItsTorqueWithVoltageAndHeatAndGivesNoMore
 // s until the first motor whose joint is named gives less torque and none, stalled at its limit.
 std::array<double, 2> StallsFor(const std::string& name, const std::string& joint) {
   constexpr double kStep = 0.1;
-  const robot::RobotSpec robot = Robot(name).robot;
+  const robot::RobotSpec robot = Robot(name).robots[0].spec;
   const std::size_t count = robot.motors.size();
   const auto found = std::ranges::find(robot.motors, joint, &robot::MotorSpec::joint);
   const auto stalled = static_cast<std::size_t>(found - robot.motors.begin());
@@ -207,7 +219,7 @@ TEST(RobotsTest, AStalledMotorGivesLessAfterSecondsAndTripsAfterMinutesAtMost) {
 // An ankle of a G1 was seen at 89 to 91 °C after 5 to 10 minutes of one policy (A9). What its
 // torque was is not recorded; 20 N·m, 10 of each motor, are assumed.
 TEST(RobotsTest, AnAnkleGetsAboutAsHotAsOneWasSeenUnderAPolicy) {
-  const robot::RobotSpec robot = Robot("g1").robot;
+  const robot::RobotSpec robot = Robot("g1").robots[0].spec;
   robot::RobotCommand command{.motors = std::vector<robot::MotorCommand>(robot.motors.size())};
   command.motors[5] = {.enabled = true, .tau = 20};
   ASSERT_EQ(robot.motors[5].joint, "left_ankle_roll_joint");
@@ -228,7 +240,7 @@ TEST(RobotsTest, AnAnkleGetsAboutAsHotAsOneWasSeenUnderAPolicy) {
 TEST(RobotsTest, ADyingPackWeakensTheMotorsBeforeItCutsOff) {
   for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
     SCOPED_TRACE(name);
-    const robot::RobotSpec robot = Robot(name).robot;
+    const robot::RobotSpec robot = Robot(name).robots[0].spec;
     const robot::MotorSpec& motor = robot.motors[0];
     const double rated_v = robot::FindMotorType(robot, motor.type)->rated_v;
     const robot::TorqueCurve curve{motor.torque_limit, motor.knee_speed, motor.no_load_speed};
@@ -266,7 +278,8 @@ TEST(RobotsTest, MotorsHaveTheLimitsOfTheirTypesUnlessTheyHaveTheirOwn) {
       LoadConfig(
           {.robot = "go2", .sets = {"robot.motors.0.gear=2", "robot.motors.1.torque_limit=7"}},
           std::filesystem::path(UNDERSTUDY_SOURCE_DIR))
-          .robot;
+          .robots[0]
+          .spec;
   EXPECT_EQ(geared.motors[0].torque_limit, 2 * 23.7);
   EXPECT_EQ(geared.motors[0].knee_speed, 13.5 / 2);
   EXPECT_EQ(geared.motors[0].no_load_speed, 30.1 / 2);
@@ -277,7 +290,7 @@ TEST(RobotsTest, MotorsHaveTheLimitsOfTheirTypesUnlessTheyHaveTheirOwn) {
 
 TEST(RobotsTest, NominalLimitsAreThoseOfTheJointAtAFullBattery) {
   for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
-    const robot::RobotSpec robot = Robot(name).robot;
+    const robot::RobotSpec robot = Robot(name).robots[0].spec;
     const robot::Battery pack(robot.battery);
     for (const robot::MotorSpec& motor : robot.motors) {
       const robot::MotorTypeSpec* type = robot::FindMotorType(robot, motor.type);

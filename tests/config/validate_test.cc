@@ -39,6 +39,12 @@ TEST_F(ValidateTest, TellsWhatDoesNotFitAndWhatDoes) {
       {"robot.battery.cutoff_v=3.5",
        "robot.battery.cutoff_v: expected less than a cell at a tenth of its charge has, 3.42 V, "
        "got 3.5"},
+      {"robot.cameras=[{name: a}, {name: a}]", "robot.cameras.1.name: there is a 'a' already"},
+      {"robot.cameras=[{name: a, service: videhub}]",
+       "robot.cameras.0.service: no service 'videhub'; did you mean 'videohub'?"},
+      {"robot.cameras=[{name: a, distortion: [-2, 0, 0, 0]}]",
+       "robot.cameras.0.distortion: expected a lens that shows each direction once, within 80° of "
+       "its axis"},
       {"robot.battery.cells=0", "robot.battery.cells: expected at least one cell"},
   };
   for (const auto& [set, error] : rows) EXPECT_EQ(SetError(set), "--set " + set + ": " + error);
@@ -56,7 +62,8 @@ TEST_F(ValidateTest, RefusesASlotTheFamilyLacks) {
   EXPECT_EQ(SetError("robot.motors.1.slot=20"),
             "--set robot.motors.1.slot=20: robot.motors.1.slot: expected 0 to 19 for this family, "
             "got 20");
-  EXPECT_EQ(Load({}, {"robot.family=hg", "robot.motors.1.slot=34"}).robot.motors[1].slot, 34);
+  EXPECT_EQ(Load({}, {"robot.family=hg", "robot.motors.1.slot=34"}).robots[0].spec.motors[1].slot,
+            34);
 }
 
 TEST_F(ValidateTest, RefusesASquatWithoutItsPose) {
@@ -82,7 +89,7 @@ TEST_F(ValidateTest, AKindNeedsWhatItsControllerCannotDoWithout) {
 TEST_F(ValidateTest, NamesApisThatThereAre) {
   EXPECT_THAT(SetError("robot.apis=[config, sport_g]"),
               testing::HasSubstr("robot.apis.1: no api 'sport_g'; did you mean 'sport_g1'?"));
-  EXPECT_EQ(Load({}, {"robot.apis=[]"}).robot.apis.size(), 0U);
+  EXPECT_EQ(Load({}, {"robot.apis=[]"}).robots[0].spec.apis.size(), 0U);
 }
 
 class HandsTest : public ValidateTest {
@@ -103,7 +110,7 @@ class HandsTest : public ValidateTest {
 constexpr char kThumb[] = "{joint: thumb, torque_limit: 1}";
 
 TEST_F(HandsTest, AreReadWithTheirMotors) {
-  const robot::RobotSpec robot = Hands(Hand("left", kThumb, ", timeout: 2")).robot;
+  const robot::RobotSpec robot = Hands(Hand("left", kThumb, ", timeout: 2")).robots[0].spec;
   ASSERT_EQ(robot.hands.size(), 1U);
   EXPECT_EQ(robot.hands[0].motors.at(0).joint, "thumb");
   EXPECT_EQ(robot.hands[0].timeout, 2);
@@ -150,10 +157,27 @@ TEST_F(HandsTest, HaveTaxelsInPlacesThatThereAre) {
 }
 
 TEST_F(HandsTest, AreToldAtARateThatDividesLowstates) {
-  const std::string rate = "], rates: {hand_hz: 300";
-  EXPECT_EQ(FileError("robot: {rates: {hand_hz: 300}}\n"), "") << "without hands";
-  EXPECT_THAT(FileError("robot: {family: hg, hands: [" + Hand("left", kThumb) + rate + "}}\n"),
-              testing::HasSubstr("robot.rates.hand_hz: expected a rate that divides lowstate_hz"));
+  EXPECT_THAT(HandsError(Hand("left", kThumb, ", hz: 300")),
+              testing::HasSubstr("robot.hands.0.hz: expected a rate that divides lowstate_hz"));
+}
+
+TEST_F(HandsTest, HaveRoomInTheirMessages) {
+  EXPECT_EQ(HandsError(Hand("left", kThumb, ", slot: 6, slots: 12")), "");
+  EXPECT_THAT(HandsError(Hand("left", kThumb, ", slot: 6")),
+              testing::HasSubstr("robot.hands.0.slots: expected room for 1 motors from slot 6"));
+}
+
+TEST_F(HandsTest, WhoseLawLeadsMotorsHaveTheFiguresForIt) {
+  const std::string law = ", law: inspire";
+  EXPECT_THAT(HandsError(Hand("left", kThumb, law)),
+              testing::HasSubstr("robot.hands.0.motors.0.span: expected two angles, as the law "
+                                 "inspire leads it by that"));
+  const std::string spanned = "{joint: thumb, torque_limit: 1, span: [1, 0]";
+  EXPECT_THAT(HandsError(Hand("left", spanned + "}", law)),
+              testing::HasSubstr("robot.hands.0.motors.0.hold_kp: expected more than 0"));
+  EXPECT_THAT(HandsError(Hand("left", spanned + ", hold_kp: 1}", law)),
+              testing::HasSubstr("robot.hands.0.motors.0.knee_speed: expected more than 0"));
+  EXPECT_THAT(HandsError(Hand("left", kThumb, ", law: inspir")), testing::HasSubstr("inspire"));
 }
 
 TEST_F(ValidateTest, RefusesAPairOfMotorsThatAreNotThere) {
@@ -175,15 +199,15 @@ TEST_F(ValidateTest, RefusesATimestepThatTheRateDoesNotFit) {
 
 TEST_F(ValidateTest, RefusesPosesAndNumbersSetByAProgram) {
   Config config = LoadText("");
-  config.start.pose = "standin";
+  config.robots[0].start.pose = "standin";
   EXPECT_EQ(ErrorOf([&] { Validate(config); }),
             "start.pose: no pose 'standin'; did you mean 'standing'? (valid: lying, standing, "
             "hanging, clamped)");
   config = LoadText("");
-  config.robot.mode_machine = 256;
+  config.robots[0].spec.mode_machine = 256;
   EXPECT_EQ(ErrorOf([&] { Validate(config); }), "robot.mode_machine: expected 0 to 255");
   config = LoadText("");
-  config.network.domain = 233;
+  config.robots[0].network.domain = 233;
   EXPECT_EQ(ErrorOf([&] { Validate(config); }), "network.domain: expected 0 to 232");
 }
 
@@ -235,12 +259,12 @@ TEST_F(ValidateTest, FaultsAreOfWhatTheRobotHas) {
   EXPECT_THAT(SetError("faults=[{component: fan.front, fault: off}]"),
               HasSubstr("faults.0: the robot has no 'fan.front'"));
   EXPECT_THAT(SetError("faults=[{component: battery, fault: limp}]"),
-              HasSubstr("faults.0: no battery is ever 'limp' (valid: weak, empty)"));
+              HasSubstr("faults.0: 'limp' is no fault of a battery; valid: weak, empty"));
   EXPECT_THAT(SetError("faults=[{component: a, fault: week}]"), HasSubstr("did you mean 'weak'?"));
   EXPECT_THAT(SetError("faults=[{component: a, fault: weak, by: 2}]"),
               HasSubstr("faults.0: by: expected 0 to 1 for 'weak', found 2"));
   EXPECT_THAT(SetError("faults=[{component: a, fault: weak, at: -1}]"),
-              HasSubstr("faults.0.at: expected a number from 0 to 1e+06 s"));
+              HasSubstr("faults.0.at: expected a number from 0 to 1000000 s"));
   EXPECT_THAT(SetError("faults=[{component: a, fault: weak, probabilty: 1}]"),
               HasSubstr("unknown; did you mean 'probability'?"));
 }

@@ -23,6 +23,14 @@ PATIENCE = 60.0  # s; few programs run longer than 30 s, and say so
 THEN_STATUS = 'file=$1; shift; "$@"; code=$?; "$UNDERSTUDY" ctl status --json > "$file"; exit $code'
 
 
+def refusals(counts):
+    """Refused commands by cause, without the causes that never occurred.
+
+    Lost ones are left out: newer ones replaced them before a late tick, as on a busy machine.
+    """
+    return {cause: count for cause, count in counts["refused"].items() if count and cause != "lost"}
+
+
 @dataclasses.dataclass(frozen=True)
 class Run:
     """What one program did, and the robot's own count of commands after it, to body and hands."""
@@ -35,8 +43,13 @@ class Run:
 
     @property
     def refused(self):
-        """Refused commands by cause, without the causes that never occurred."""
-        return {cause: count for cause, count in self.commands["refused"].items() if count}
+        """Commands to the body that the robot refused, by cause, as `refusals` has them."""
+        return refusals(self.commands)
+
+    @property
+    def refused_by_hands(self):
+        """The same of each hand."""
+        return [refusals(hand) for hand in self.hands]
 
     @property
     def report(self):

@@ -18,5 +18,5 @@ def quadrupeds():
 
 
 def with_api(api):
-    """Those whose computer has that table of docs/services.md."""
+    """Those whose computer has that table of docs/reference/services.md."""
     return [name for name, robot in fleet().items() if api in robot["apis"]]

@@ -4,7 +4,7 @@ The robot lies or hangs damped at every motion call. Codes are those of the SDK'
 quadruped 4201, 4205; of a humanoid 7301; arm 7402, 7404; motion_switcher 7001, 7002, 7004; robot_state
 5203; vui, voice and video 100; any 3204), 4206 that of the vendor's Go2 page. That 4201 answers what
 a state forbids, 4205, 7301 and 5203 what is not played, and 3204 arguments of a wrong type is assumed
-(docs/services.md), and so is that a humanoid answers 0 to heights, balance modes and arm tasks that its
+(docs/reference/services.md), and so is that a humanoid answers 0 to heights, balance modes and arm tasks that its
 state ignores, as a real G1 does to other such requests.
 """
 
@@ -79,7 +79,7 @@ A2_SPORT = {name: code for name, code in QUADRUPED.items() if name != "AutoRecov
 
 
 # What G1, H1 and H1-2 share. Robots answer 0 to a state that they cannot reach and to a velocity at
-# which they cannot walk, and do nothing (docs/sources.md#notes-on-real-robots); that the same holds
+# which they cannot walk, and do nothing (docs/dev/sources.md#notes-on-real-robots); that the same holds
 # of heights, balance mode and arm tasks is assumed. Only what is not played is a failure: 7301.
 HUMANOID = {
     "SetFsmId": taking(OK),
@@ -139,7 +139,7 @@ VUI = {
     "SetSwitch": taking(OK, 100), "SetVolume": taking(OK, 100), "SetBrightness": taking(OK, 100),
     "GetSwitch": plain(OK), "GetVolume": plain(OK), "GetBrightness": plain(OK),
 }  # fmt: skip
-VIDEO = {"GetImageSample": plain(100)}  # no camera is played
+VIDEO = {"GetImageSample": plain(OK)}
 BUSY, UNKNOWN = 7002, 7004  # of SelectMode: `mcf` is on, so that no other can be selected
 SWITCHER = {"CheckMode": plain(OK), "SelectMode": (UNKNOWN, 7001), "ReleaseMode": plain(OK)}
 ROBOT_STATE = {"ServiceList": plain(OK), "ServiceSwitch": taking(OK)}
@@ -147,7 +147,7 @@ VOICE = {
     "TtsMaker": (OK, 100), "GetVolume": plain(OK), "SetVolume": (OK, 100),
     "LedControl": (OK, 100), "PlayStream": (OK, 100), "PlayStop": (OK, OK),
 }  # fmt: skip
-# By table of docs/services.md: its service and the codes of its calls.
+# By table of docs/reference/services.md: its service and the codes of its calls.
 CODES = {
     "motion_switcher": ("motion_switcher", SWITCHER),
     "sport_go2": ("sport", GO2_SPORT),

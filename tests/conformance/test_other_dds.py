@@ -20,8 +20,7 @@ def test_a_program_on_another_dds_reads_all_states_and_stands_a_go2_up(rehearse,
     assert run.succeeded()
     told = run.report
     assert (told["crc_errors"], told["undecoded"]) == (0, 0)
-    # Those are lost that newer ones replace before a late tick, as on a busy machine.
-    assert run.refused.keys() <= {"lost"}
+    assert run.refused == {}
     # Half of the 500 a second that are sent: the reader is best effort, and the machine may be busy.
     assert told["states"] > 0.5 * 0.5 * told["ticks_ms"]
     assert run.commands["accepted"] > 0.5 * told["commands"]

@@ -8,7 +8,7 @@ import pytest
 from fleet import fleet, quadrupeds, with_api
 
 ROBOTS = quadrupeds()
-GAIN = {"go2": 0.92}  # of a real one's forward speed (docs/walking.md)
+GAIN = {"go2": 0.92}  # of a real one's forward speed (docs/dev/walking.md)
 HELD = {"b2w": 0.5}  # s that a Move that is not renewed goes on for; else 1
 AGILE, FREE_WALK = {"state": 100, "mode": 0}, {"state": 0, "mode": 9}  # error_code and mode
 WAYS = {"ahead": (0, 0.5), "left": (1, 0.3), "turn": (2, 0.5)}  # axis, m/s or rad/s; less than half a turn

@@ -161,7 +161,7 @@ TEST_F(CtlCommandTest, WithSeveralRobotsItSaysHowToChoose) {
   const FakeRobot one(Socket("one"));
   const FakeRobot two(Socket("two"));
   EXPECT_THAT([] { Run("ctl status"); },
-              ThrowsMessage<ControlError>(AllOf(HasSubstr("one, two"), HasSubstr("--name"))));
+              ThrowsMessage<ControlError>(AllOf(HasSubstr("one, two"), HasSubstr("--robot NAME"))));
   EXPECT_THAT([] { Run("ctl wait"); }, ThrowsMessage<ControlError>(HasSubstr("one, two")));
 }
 
@@ -180,6 +180,8 @@ TEST_F(CtlCommandTest, AnUnknownNameIsAnErrorWithTheNearest) {
   const FakeRobot right(Socket("right"));
   EXPECT_THAT([] { Run("ctl status --name rihgt"); },
               ThrowsMessage<ControlError>(R"(no robot named "rihgt" runs: did you mean "right"?)"));
+  EXPECT_THAT([] { Run("ctl status --name go2"); },
+              ThrowsMessage<ControlError>(R"(no robot named "go2" runs; there are left, right)"));
 }
 
 TEST_F(CtlCommandTest, ANameThatCanBeNoneIsAnError) {

@@ -13,67 +13,36 @@
 namespace understudy::ctl {
 namespace {
 
-using emulator::Field;
-using emulator::FieldKind;
 using emulator::RequestRow;
 using nlohmann::json;
+using schema::Field;
 
 // A value within the field's range, and one that is none.
 json Sound(const Field& field) {
-  switch (field.kind) {
-    case FieldKind::kNumber:
-      return field.high / 4;
-    case FieldKind::kWhole:
-      return field.high / 2;
-    case FieldKind::kVector:
-      return {field.low / 4, 0.5, field.high};
-    case FieldKind::kSwitch:
-      return field.otherwise != 1;
-    case FieldKind::kSpeed:
-      return 0.25;
-    case FieldKind::kWord:
-      return field.words.back();
-    case FieldKind::kKeys:
-      return "L2+B";
-    case FieldKind::kBody:
-    case FieldKind::kName:
-      return "trunk";
-    case FieldKind::kJson:
-      return R"({"a":1})";
-    case FieldKind::kFile:
-      return "/tmp/a.mcap";
-    case FieldKind::kSetting:
-      return "sensors.noise_gain";
-    case FieldKind::kValue:
-      return 3.5;
-  }
-  return {};
+  const schema::Range& range = field.range;
+  if (field.type == &schema::kNumber) return range.max / 4;
+  if (field.type == &schema::kWhole) return range.max / 2;
+  if (field.type == &schema::kVector) return {range.min / 4, 0.5, range.max};
+  if (field.type == &schema::kSwitch) return field.otherwise != 1;
+  if (field.type == &schema::kWord) return field.words.back();
+  if (field.type == &emulator::types::kSpeed) return 0.25;
+  if (field.type == &emulator::types::kKeys || field.type == &emulator::types::kMaybeKeys)
+    return "L2+B";
+  if (field.type == &emulator::types::kJson) return R"({"a":1})";
+  if (field.type == &emulator::types::kFile) return "/tmp/a.mcap";
+  if (field.type == &emulator::types::kSetting) return "sensors.noise_gain";
+  if (field.type == &emulator::types::kValue) return 3.5;
+  return "trunk";
 }
 
 json Unsound(const Field& field) {
-  switch (field.kind) {
-    case FieldKind::kNumber:
-    case FieldKind::kWhole:
-      return 1e9;
-    case FieldKind::kVector:
-      return {0, 1e9, 0};
-    case FieldKind::kSwitch:
-    case FieldKind::kSpeed:
-    case FieldKind::kWord:
-    case FieldKind::kKeys:
-    case FieldKind::kJson:
-      return "zzz";
-    case FieldKind::kBody:
-    case FieldKind::kName:
-      return std::string(99, 'z');
-    case FieldKind::kFile:
-      return "/" + std::string(255, 'z');
-    case FieldKind::kSetting:
-      return "zzz";
-    case FieldKind::kValue:
-      return std::string(256, 'z');
-  }
-  return {};
+  if (field.type == &schema::kVector) return {0, 1e9, 0};
+  if (field.type->has_range()) return 1e9;
+  if (field.type == &emulator::types::kBody || field.type == &emulator::types::kName)
+    return std::string(99, 'z');
+  if (field.type == &emulator::types::kFile) return "/" + std::string(255, 'z');
+  if (field.type == &emulator::types::kValue) return std::string(256, 'z');
+  return "zzz";
 }
 
 json SoundValues(const RequestRow& row) {
@@ -151,7 +120,7 @@ TEST_F(RequestTableTest, EveryRequestReadsTheSameFromJsonScriptsAndTheCommandLin
 
     if (row.from == emulator::From::kPeople) continue;
     const auto script =
-        script::ReadScript(config::ParseYaml(ScriptOf(row, values), "s"), signals::RunningNames());
+        script::ReadScript(schema::ParseYaml(ScriptOf(row, values), "s"), signals::RunningNames());
     EXPECT_EQ(emulator::Describe(script.events.front().request), said);
   }
 }
@@ -168,7 +137,7 @@ TEST_F(RequestTableTest, EveryMistakeIsToldTheSameByJsonScriptsAndTheCommandLine
                 (field.key == row.name ? "" : std::string(row.name) + ": ") + why);
       if (row.from == emulator::From::kPeople) continue;
       try {
-        script::ReadScript(config::ParseYaml(ScriptOf(row, values), "s"), signals::RunningNames());
+        script::ReadScript(schema::ParseYaml(ScriptOf(row, values), "s"), signals::RunningNames());
         ADD_FAILURE() << row.name << "." << field.key;
       } catch (const ConfigError& error) {
         EXPECT_EQ(error.what(), "s:1: " + std::string(row.name) + ": " + why);

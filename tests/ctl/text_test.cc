@@ -111,6 +111,13 @@ TEST(CtlTextTest, SaysWhomTheMotorsFollow) {
   EXPECT_THAT(TextOf(status), HasSubstr("motors follow      the motion service\n"));
 }
 
+TEST(CtlTextTest, NamesWhatProgramsWaitForInVain) {
+  nlohmann::ordered_json status = server::StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
+  status["unserved"] = {{{"topic", "rt/gnss"}, {"text", "process 12 waits for rt/gnss, which"}}};
+  EXPECT_THAT(StatusText(status),
+              HasSubstr("nobody serves      process 12 waits for rt/gnss, which\n"));
+}
+
 TEST(CtlTextTest, SaysFromWhichSeedARobotIsRandomized) {
   nlohmann::ordered_json status = server::StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
   status["randomization"] = {{"seed", 7}, {"drawn", {}}};

@@ -1,4 +1,4 @@
-// Checks the includes between rooms against docs/architecture.md.
+// Checks the includes between rooms against docs/dev/architecture.md.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -20,7 +20,7 @@ std::string Text(const std::filesystem::path& file) {
 
 // How far down in the table each room stands.
 std::map<std::string, int> Rooms() {
-  std::string text = Text(kRoot / "docs/architecture.md");
+  std::string text = Text(kRoot / "docs/dev/architecture.md");
   text = text.substr(text.find("\n## Rooms\n"));
   text.resize(text.find("\n## ", 1));
   std::map<std::string, int> rooms;
@@ -61,6 +61,26 @@ TEST(RoomsTest, IncludeOnlyWhatStandsBelowThem) {
     }
   }
   EXPECT_GT(seen, 500);
+}
+
+TEST(RoomsTest, UpToAssemblyIncludeNoThreadSocketOrLog) {
+  const auto rooms = Rooms();
+  const int assembly = rooms.at("assembly");
+  const std::regex unwanted(
+      "#include [<\"](thread|sys/socket\\.h|netinet/|boost/asio|boost/beast|spdlog/|dds/)");
+  int seen = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / "src")) {
+    const auto file = std::filesystem::relative(entry.path(), kRoot / "src");
+    const auto own = rooms.find(RoomOf(file));
+    if (!entry.is_regular_file() || own == rooms.end()) continue;
+    if (own->second < assembly || own->first == "bus") continue;
+    if (file == "base/standard_error.cc") continue;  // standard error itself may be a socket
+    std::smatch found;
+    const std::string text = Text(entry.path());
+    EXPECT_FALSE(std::regex_search(text, found, unwanted)) << file << ": " << found[0];
+    ++seen;
+  }
+  EXPECT_GT(seen, 200);
 }
 
 }  // namespace

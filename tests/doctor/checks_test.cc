@@ -8,16 +8,16 @@
 #include "config/load.h"
 #include "config/robot_file.h"
 #include "doctor/echo_topics.h"
-#include "doctor/vendor_topics.h"
 #include "healthy.h"
 #include "idl/type_table.h"
-#include "wire/states.h"
+#include "services/api_names.h"
+#include "wire/robot_topics.h"
 
 namespace understudy::doctor {
 namespace {
 
 using ::testing::HasSubstr;
-using enum Verdict;
+using enum CheckVerdict;
 
 constexpr char kGoLowCmdType[] = "unitree_go::msg::dds_::LowCmd_";
 constexpr char kHgLowCmdType[] = "unitree_hg::msg::dds_::LowCmd_";
@@ -32,8 +32,8 @@ bus::Endpoint Reader(const char* topic, const char* type) {
   return {.topic = topic, .who = {.type = type, .pid = "18"}};
 }
 
-Evidence Among(std::vector<bus::Endpoint> endpoints) {
-  return But([&](Evidence& seen) { seen.endpoints = std::move(endpoints); });
+Measurements Among(std::vector<bus::Endpoint> endpoints) {
+  return But([&](Measurements& seen) { seen.endpoints = std::move(endpoints); });
 }
 
 TEST(ChecksTest, FindNothingWrongWithAHealthyMachine) {
@@ -51,7 +51,7 @@ TEST(ChecksTest, HaveNamesOfTheirOwn) {
 }
 
 TEST(ChecksTest, JudgeAMachineOfWhichNothingWasSeen) {
-  Evidence nothing;
+  Measurements nothing;
   nothing.no_bus = "no network interface 'lo'";
   for (const Check& check : Checks()) {
     const Finding finding = check.judge(nothing);
@@ -60,23 +60,24 @@ TEST(ChecksTest, JudgeAMachineOfWhichNothingWasSeen) {
 }
 
 TEST(InterfaceCheckTest, TellsOneThatIsNotThereFromOneThatIsDownAndOneWithoutACarrier) {
-  const auto missing = FindingOf("interface", But([](Evidence& seen) {
+  const auto missing = FindingOf("interface", But([](Measurements& seen) {
                                    seen.question.interface = "eht0";
                                    seen.link.reset();
                                  }));
   EXPECT_EQ(missing.verdict, kWrong);
   EXPECT_THAT(missing.remedy, HasSubstr("did you mean 'eth0'?"));
-  const auto down = FindingOf("interface", But([](Evidence& seen) { seen.link->up = false; }));
+  const auto down = FindingOf("interface", But([](Measurements& seen) { seen.link->up = false; }));
   EXPECT_EQ(down.verdict, kWrong);
   EXPECT_THAT(down.remedy, HasSubstr("ip link set eth0 up"));
-  const auto cut = FindingOf("interface", But([](Evidence& seen) { seen.link->running = false; }));
+  const auto cut =
+      FindingOf("interface", But([](Measurements& seen) { seen.link->running = false; }));
   EXPECT_EQ(cut.verdict, kWrong);
   EXPECT_THAT(cut.text, HasSubstr("carrier"));
 }
 
 TEST(AddressCheckTest, WantsOneInTheRobotsNetwork) {
   const auto with = [](std::vector<Address> addresses) {
-    return FindingOf("address", But([&](Evidence& seen) { seen.addresses = addresses; }));
+    return FindingOf("address", But([&](Measurements& seen) { seen.addresses = addresses; }));
   };
   EXPECT_EQ(with({}).verdict, kWrong);
   EXPECT_EQ(with({{"eth0", kOurs, kSlash24}}).verdict, kOk);
@@ -89,7 +90,7 @@ TEST(AddressCheckTest, WantsOneInTheRobotsNetwork) {
 
 TEST(AddressCheckTest, RefusesTwoInterfacesInOneNetwork) {
   const auto beside = [](std::uint32_t address, std::uint32_t mask) {
-    return FindingOf("address", But([&](Evidence& seen) {
+    return FindingOf("address", But([&](Measurements& seen) {
                        seen.addresses.push_back({"wlan0", address, mask});
                      }));
   };
@@ -102,7 +103,7 @@ TEST(AddressCheckTest, RefusesTwoInterfacesInOneNetwork) {
 
 TEST(MulticastCheckTest, ForgivesTheFlagsAbsenceOnLoopbackOnly) {
   const auto without = [](bool loopback) {
-    return VerdictOf("multicast", But([&](Evidence& seen) {
+    return VerdictOf("multicast", But([&](Measurements& seen) {
                        seen.link->multicast = false;
                        seen.link->loopback = loopback;
                      }));
@@ -113,27 +114,28 @@ TEST(MulticastCheckTest, ForgivesTheFlagsAbsenceOnLoopbackOnly) {
 
 TEST(MulticastCheckTest, WarnsOfARouteThatLeadsElsewhereOrNowhere) {
   for (const char* const to : {"wlan0", ""}) {
-    EXPECT_EQ(VerdictOf("multicast route", But([&](Evidence& seen) { seen.multicast_route = to; })),
-              kWarning)
+    EXPECT_EQ(
+        VerdictOf("multicast route", But([&](Measurements& seen) { seen.multicast_route = to; })),
+        kWarning)
         << to;
   }
 }
 
 TEST(MulticastCheckTest, IsWrongIfADatagramDoesNotComeBack) {
   EXPECT_EQ(
-      VerdictOf("multicast here", But([](Evidence& seen) { --seen.self_multicast->returned; })),
+      VerdictOf("multicast here", But([](Measurements& seen) { --seen.self_multicast->returned; })),
       kWrong);
 }
 
 TEST(DomainCheckTest, TellsWhyItCannotBeJoined) {
   const auto finding =
-      FindingOf("domain", But([](Evidence& seen) { seen.no_bus = "no room for a tenth"; }));
+      FindingOf("domain", But([](Measurements& seen) { seen.no_bus = "no room for a tenth"; }));
   EXPECT_EQ(finding.verdict, kWrong);
   EXPECT_EQ(finding.text, "no room for a tenth");
 }
 
 Finding WithRobots(int speaking, int silent, std::optional<int> wanted) {
-  return FindingOf("robots", But([&](Evidence& seen) {
+  return FindingOf("robots", But([&](Measurements& seen) {
                      seen.question.robots = wanted;
                      seen.robots.insert(seen.robots.end(), static_cast<std::size_t>(speaking),
                                         {.who = "process 5 (robot)", .speaks = true});
@@ -162,7 +164,7 @@ TEST(RobotsCheckTest, NamesThoseThatSpeakAndWarnsOfOneThatOnlyCould) {
 
 TEST(StatesCheckTest, WarnsOfPausesOfMoreThanTenPeriods) {
   const auto after = [](double pause) {
-    return VerdictOf("states", But([&](Evidence& seen) {
+    return VerdictOf("states", But([&](Measurements& seen) {
                        seen.states = {.count = 100, .rate = 500, .longest_pause = pause};
                      }));
   };
@@ -240,16 +242,32 @@ TEST(QualityCheckTest, LetsAWriterOfferMoreThanIsAskedForAndWarnsOfBestEffort) {
   EXPECT_EQ(writer([](bus::Endpoint& one) { one.partitions = "\"left\""; }), kWrong);
 }
 
+TEST(ServedCheckTest, NamesWhoWaitsForWhatAndWhoWouldServeIt) {
+  EXPECT_EQ(FindingOf("served", Healthy()).verdict, CheckVerdict::kOk);
+  const Finding found =
+      FindingOf("served", But([](Measurements& seen) {
+                  seen.endpoints.push_back(
+                      {.topic = "rt/dex1/left/state", .who = {.process = "xr", .pid = "7"}});
+                }));
+  EXPECT_EQ(found.verdict, CheckVerdict::kWarning);
+  EXPECT_THAT(
+      found.text,
+      testing::AllOf(
+          HasSubstr("rt/dex1/left/state: process 7 (xr) reads (served by a robot with Dex1-1"),
+          HasSubstr("nobody here serves that")));
+}
+
 TEST(PeerCheckTest, IsNotSeenWithoutAPeerAndWrongIfNobodyIsFound) {
   for (const char* const name :
        {"peer", "peer unicast", "peer multicast", "from peer", "round trip"}) {
-    EXPECT_EQ(VerdictOf(name, But([](Evidence& seen) { seen.peer.reset(); })), kNotSeen) << name;
+    EXPECT_EQ(VerdictOf(name, But([](Measurements& seen) { seen.peer.reset(); })), kNotSeen)
+        << name;
   }
-  EXPECT_EQ(VerdictOf("peer", But([](Evidence& seen) { seen.peer->found = false; })), kWrong);
+  EXPECT_EQ(VerdictOf("peer", But([](Measurements& seen) { seen.peer->found = false; })), kWrong);
 }
 
 Finding Unicast(int returned, int error) {
-  return FindingOf("peer unicast", But([&](Evidence& seen) {
+  return FindingOf("peer unicast", But([&](Measurements& seen) {
                      seen.peer->unicast = {.sent = 20, .returned = returned, .error = error};
                    }));
 }
@@ -268,15 +286,15 @@ TEST(PeerCheckTest, TellsByTheKernelsErrorWhyNothingComesBack) {
 
 TEST(FirewallCheckTest, IsToldByWhatPasses) {
   const auto with = [](auto&& change) { return VerdictOf("firewall", But(change)); };
-  EXPECT_EQ(with([](Evidence& seen) { seen.peer.reset(); }), kNotSeen);
-  EXPECT_EQ(with([](Evidence& seen) { seen.self_multicast->error = EPERM; }), kWrong);
-  EXPECT_EQ(with([](Evidence& seen) { seen.peer->unicast.error = EPERM; }), kWrong);
-  EXPECT_EQ(with([](Evidence& seen) { seen.peer->multicast.returned = 0; }), kNotSeen);
-  EXPECT_EQ(with([](Evidence& seen) { seen.peer->unicast.returned = 0; }), kWrong);
+  EXPECT_EQ(with([](Measurements& seen) { seen.peer.reset(); }), kNotSeen);
+  EXPECT_EQ(with([](Measurements& seen) { seen.self_multicast->error = EPERM; }), kWrong);
+  EXPECT_EQ(with([](Measurements& seen) { seen.peer->unicast.error = EPERM; }), kWrong);
+  EXPECT_EQ(with([](Measurements& seen) { seen.peer->multicast.returned = 0; }), kNotSeen);
+  EXPECT_EQ(with([](Measurements& seen) { seen.peer->unicast.returned = 0; }), kWrong);
 }
 
-Verdict RoundTripOf(int lost, double p99, double worst) {
-  return VerdictOf("round trip", But([&](Evidence& seen) {
+CheckVerdict RoundTripOf(int lost, double p99, double worst) {
+  return VerdictOf("round trip", But([&](Measurements& seen) {
                      seen.peer->returned = seen.peer->sent - lost;
                      seen.peer->there_and_back = {.count = 1, .p99 = p99, .worst = worst};
                    }));
@@ -303,32 +321,34 @@ TEST(MachineCheckTest, WarnsOfEachThingThatMakesLoopsLateAndCallsNoneWrong) {
   const auto expect_warning = [](const char* check, auto&& change) {
     EXPECT_EQ(VerdictOf(check, But(change)), kWarning) << check;
   };
-  expect_warning("buffers", [](Evidence& seen) { --*seen.receive_buffer; });
-  expect_warning("buffers", [](Evidence& seen) { --*seen.send_buffer; });
-  expect_warning("dropped", [](Evidence& seen) { seen.dropped->buffer_full = 1; });
-  expect_warning("dropped", [](Evidence& seen) { seen.dropped->interface_errors = 1; });
-  expect_warning("dropped", [](Evidence& seen) { seen.dropped->interface_dropped = 1; });
-  expect_warning("real-time", [](Evidence& seen) { seen.rights->fifo = false; });
-  expect_warning("memory", [](Evidence& seen) { seen.rights->locked = false; });
-  expect_warning("governor", [](Evidence& seen) { seen.governors = {"performance", "powersave"}; });
-  expect_warning("load", [](Evidence& seen) { seen.load = 2.1; });
-  expect_warning("wakings", [](Evidence& seen) { seen.lateness.p99 = 1.1e-3; });
-  expect_warning("clock source", [](Evidence& seen) { seen.clock_source = "hpet"; });
-  expect_warning("clock sync", [](Evidence& seen) { seen.sync->synchronised = false; });
+  expect_warning("buffers", [](Measurements& seen) { --*seen.receive_buffer; });
+  expect_warning("buffers", [](Measurements& seen) { --*seen.send_buffer; });
+  expect_warning("dropped", [](Measurements& seen) { seen.dropped->buffer_full = 1; });
+  expect_warning("dropped", [](Measurements& seen) { seen.dropped->interface_errors = 1; });
+  expect_warning("dropped", [](Measurements& seen) { seen.dropped->interface_dropped = 1; });
+  expect_warning("real-time", [](Measurements& seen) { seen.rights->fifo = false; });
+  expect_warning("memory", [](Measurements& seen) { seen.rights->locked = false; });
+  expect_warning("governor", [](Measurements& seen) {
+    seen.governors = {"performance", "powersave"};
+  });
+  expect_warning("load", [](Measurements& seen) { seen.load = 2.1; });
+  expect_warning("wakings", [](Measurements& seen) { seen.lateness.p99 = 1.1e-3; });
+  expect_warning("clock source", [](Measurements& seen) { seen.clock_source = "hpet"; });
+  expect_warning("clock sync", [](Measurements& seen) { seen.sync->synchronised = false; });
 }
 
 TEST(MachineCheckTest, SaysWhichSettingGivesTheBuffer) {
   EXPECT_THAT(
-      FindingOf("buffers", But([](Evidence& seen) { seen.receive_buffer = 425984; })).remedy,
+      FindingOf("buffers", But([](Measurements& seen) { seen.receive_buffer = 425984; })).remedy,
       HasSubstr("net.core.rmem_max=1048576"));
 }
 
 TEST(ClockCheckTest, IsWrongIfTheClockJumpsAndNeedsNoDaemonOnOneMachine) {
   const Finding jump = FindingOf(
-      "clock steps", But([](Evidence& seen) { seen.clock = {.steps = 2, .largest = -0.25}; }));
+      "clock steps", But([](Measurements& seen) { seen.clock = {.steps = 2, .largest = -0.25}; }));
   EXPECT_EQ(jump.verdict, kWrong);
   EXPECT_THAT(jump.text, HasSubstr("2 times, by -0.250 s"));
-  EXPECT_EQ(VerdictOf("clock sync", But([](Evidence& seen) {
+  EXPECT_EQ(VerdictOf("clock sync", But([](Measurements& seen) {
                         seen.sync->synchronised = false;
                         seen.link->loopback = true;
                       })),
@@ -337,32 +357,35 @@ TEST(ClockCheckTest, IsWrongIfTheClockJumpsAndNeedsNoDaemonOnOneMachine) {
 
 TEST(ClockCheckTest, WarnsOfAPeersClockThatIsAPeriodApartBeyondTheError) {
   const auto apart = [](double ahead, double error) {
-    return VerdictOf("clock offset", But([&](Evidence& seen) {
+    return VerdictOf("clock offset", But([&](Measurements& seen) {
                        seen.peer->offset = ClockOffset{.ahead = ahead, .error = error};
                      }));
   };
   EXPECT_EQ(apart(2e-3, 0), kOk);
   EXPECT_EQ(apart(-3e-3, 0), kWarning);
   EXPECT_EQ(apart(3e-3, 1.1e-3), kOk);
-  EXPECT_EQ(VerdictOf("clock offset", But([](Evidence& seen) { seen.peer->offset.reset(); })),
+  EXPECT_EQ(VerdictOf("clock offset", But([](Measurements& seen) { seen.peer->offset.reset(); })),
             kNotSeen);
 }
 
 TEST(VendorTopicsTest, HaveTypesThatTheVendorHas) {
-  for (const std::string& topic : VendorTopics()) {
-    EXPECT_FALSE(TypesOf(topic).empty()) << topic;
-    for (const std::string_view type : TypesOf(topic)) {
-      EXPECT_NE(FindMessageType(type), nullptr) << topic << " " << type;
-    }
-    EXPECT_FALSE(IsEchoTopic(topic));
+  for (const wire::TopicName& topic : wire::VendorTopics()) {
+    EXPECT_THAT(wire::TypesOf(topic.name), testing::Contains(topic.type)) << topic.name;
+    EXPECT_NE(FindMessageType(topic.type), nullptr) << topic.name << " " << topic.type;
+    EXPECT_FALSE(IsEchoTopic(topic.name));
   }
 }
 
-TEST(VendorTopicsTest, HaveWhatOurRobotsPublish) {
+TEST(VendorTopicsTest, HaveWhatOurRobotsReadAndPublish) {
   for (const std::string& name : config::RobotNames(UNDERSTUDY_SOURCE_DIR)) {
     const config::Config config = config::LoadConfig({.robot = name}, UNDERSTUDY_SOURCE_DIR);
-    for (const wire::StateTopic& topic : wire::StateTopics(config.robot)) {
-      EXPECT_THAT(TypesOf(topic.name), testing::Contains(bus::TypeName(*topic.type)))
+    std::vector<wire::RobotTopic> topics = wire::CommandTopics(config.robots[0].spec);
+    std::ranges::copy(wire::PublishedTopics(config.robots[0].spec,
+                                            services::ServiceNames(config.robots[0].spec.apis)),
+                      std::back_inserter(topics));
+    for (const wire::RobotTopic& topic : topics) {
+      if (topic.name.empty()) continue;
+      EXPECT_THAT(wire::TypesOf(topic.name), testing::Contains(topic.type))
           << topic.name << " of " << name;
     }
   }
@@ -371,7 +394,7 @@ TEST(VendorTopicsTest, HaveWhatOurRobotsPublish) {
 TEST(VendorTopicsTest, HoldTheEchosForNoneOfTheVendors) {
   for (const char* const topic :
        {GoEcho::kPing.name, GoEcho::kPong.name, HgEcho::kPing.name, HgEcho::kPong.name}) {
-    EXPECT_TRUE(TypesOf(topic).empty()) << topic;
+    EXPECT_TRUE(wire::TypesOf(topic).empty()) << topic;
     EXPECT_TRUE(IsEchoTopic(topic)) << topic;
   }
 }

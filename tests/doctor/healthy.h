@@ -1,4 +1,4 @@
-// Evidence in which nothing is wrong, and the finding of one check.
+// Measurements in which nothing is wrong, and the finding of one check.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,12 @@ inline constexpr std::uint32_t kTheirs = 0xC0A87B63;  // 192.168.123.99
 inline constexpr std::uint32_t kSlash24 = 0xFFFFFF00;
 
 // A machine on the cable of a silent robot, with a peer.
-inline Evidence Healthy() {
-  const Tally all{.sent = 20, .returned = 20, .error = 0};
-  Evidence seen;
+inline Measurements Healthy() {
+  const DatagramCount all{.sent = 20, .returned = 20, .error = 0};
+  Measurements seen;
   seen.question = {.interface = "eth0", .peer = "far"};
   seen.interfaces = {"lo", "eth0"};
-  seen.link = Link{.up = true, .running = true, .multicast = true, .loopback = false};
+  seen.link = LinkState{.up = true, .running = true, .multicast = true, .loopback = false};
   seen.addresses = {{"lo", 0x7F000001, 0xFF000000}, {"eth0", kOurs, kSlash24}};
   seen.multicast_route = "eth0";
   seen.self_multicast = all;
@@ -48,23 +48,23 @@ inline Evidence Healthy() {
 
 // `seen` after `change`.
 template <class Change>
-Evidence But(Change&& change) {
-  Evidence seen = Healthy();
+Measurements But(Change&& change) {
+  Measurements seen = Healthy();
   change(seen);
   return seen;
 }
 
-inline Finding FindingOf(std::string_view check, const Evidence& seen) {
+inline Finding FindingOf(std::string_view check, const Measurements& seen) {
   const auto row = std::ranges::find(Checks(), check, &Check::name);
   if (row == Checks().end()) throw std::invalid_argument("no check '" + std::string(check) + "'");
   return row->judge(seen);
 }
 
-inline Verdict VerdictOf(std::string_view check, const Evidence& seen) {
+inline CheckVerdict VerdictOf(std::string_view check, const Measurements& seen) {
   return FindingOf(check, seen).verdict;
 }
 
 // For messages of failed expectations.
-inline void PrintTo(Verdict verdict, std::ostream* out) { *out << Word(verdict); }
+inline void PrintTo(CheckVerdict verdict, std::ostream* out) { *out << Word(verdict); }
 
 }  // namespace understudy::doctor

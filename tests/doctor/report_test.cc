@@ -15,8 +15,8 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-Evidence Down() {
-  return But([](Evidence& seen) { seen.link->up = false; });
+Measurements Down() {
+  return But([](Measurements& seen) { seen.link->up = false; });
 }
 
 TEST(ReportTest, HasALineForEachCheckInColumnsAndCountsThem) {
@@ -25,11 +25,11 @@ TEST(ReportTest, HasALineForEachCheckInColumnsAndCountsThem) {
   EXPECT_THAT(
       text, HasSubstr("wrong     interface        eth0 is down -> as root: ip link set eth0 up\n"));
   EXPECT_THAT(text, HasSubstr("\nok        address          192"));
-  EXPECT_THAT(text, EndsWith("1 wrong, 0 warnings, 25 ok, 1 not seen\n"));
+  EXPECT_THAT(text, EndsWith("1 wrong, 0 warnings, 26 ok, 1 not seen\n"));
 }
 
 TEST(ReportTest, IsOneDocumentForPrograms) {
-  Evidence seen = Down();
+  Measurements seen = Down();
   seen.peer->who = "\xFF";
   const auto report = nlohmann::json::parse(ReportJson(seen.question, Judge(seen)));
   EXPECT_EQ(report["wrong"], 1);
@@ -45,11 +45,11 @@ TEST(ReportTest, IsOneDocumentForPrograms) {
 
 TEST(ReportTest, IsWrongIfAFindingIsAndNotForAWarning) {
   EXPECT_TRUE(AnyWrong(Judge(Down())));
-  EXPECT_FALSE(AnyWrong(Judge(But([](Evidence& seen) { seen.load = 99; }))));
+  EXPECT_FALSE(AnyWrong(Judge(But([](Measurements& seen) { seen.load = 99; }))));
 }
 
 TEST(ReportTest, IsExplainedRowByRowInTheDocumentation) {
-  std::ifstream stream(UNDERSTUDY_SOURCE_DIR "/docs/doctor.md");
+  std::ifstream stream(UNDERSTUDY_SOURCE_DIR "/docs/reference/doctor.md");
   const std::string page{std::istreambuf_iterator<char>(stream), {}};
   std::size_t at = 0;
   for (const Check& check : Checks()) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "doctor/evidence.h"
+#include "doctor/measurements.h"
 #include "doctor/states_watch.h"
 
 namespace understudy::doctor {

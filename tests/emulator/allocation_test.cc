@@ -10,8 +10,7 @@
 #include <mujoco/mujoco.h>
 
 #include "config/load.h"
-#include "config/yaml_document.h"
-#include "physics/world_model.h"
+#include "schema/yaml_document.h"
 #include "script/script.h"
 #include "tests/emulator/emulator_test.h"
 
@@ -107,8 +106,8 @@ TEST_F(AllocationTest, IsSeenByTheCount) {
 // It hangs, falls when its crane lets go, lands on its feet and is driven about there, with noise,
 // with good commands and refused ones.
 TEST_F(AllocationTest, DoesNotHappenInATick) {
-  config_.sensors = {};
-  config_.robot.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
+  config_.robots[0].sensors = {};
+  config_.robots[0].spec.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
   port_.TellEvery(1);
   port_.KeepTheLastOnly();
   StartAs("hanging");
@@ -125,11 +124,11 @@ TEST_F(AllocationTest, DoesNotHappenInATick) {
   command.motors[2].tau = NAN;
   port_.SendEveryTick(command);
   EXPECT_EQ(CountIn(1000), 0);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kDamping);
 }
 
 TEST_F(AllocationTest, DoesNotHappenWhereCommandsComeLate) {
-  config_.robot.dynamics.delay = 0.005;
+  config_.robots[0].spec.dynamics.delay = 0.005;
   port_.KeepTheLastOnly();
   StartAs("standing");
   CountIn(10);
@@ -141,21 +140,22 @@ TEST_F(AllocationTest, DoesNotHappenWhereCommandsComeLate) {
 }
 
 TEST_F(AllocationTest, DoesNotHappenOnceWhatIsSlowIsAsLateAsItGets) {
-  config_.robot.buses = {{.name = "leg", .slots = {config_.robot.motors[0].slot}}};
-  config_.robot.fans = {{.name = "front", .place = 2}};
-  config_.robot.dynamics.backlash = 0.01;
-  config_.robot.dynamics.ripple = 0.1;
-  config_.faults = {{.component = "rt/lowcmd", .fault = "delayed", .by = 0.02},
-                    {.component = "bus.leg", .fault = "slow", .by = 0.01},
-                    {.component = "bus.leg", .fault = "lost"},
-                    {.component = "fan.front", .fault = "off"},
-                    {.component = "imu", .fault = "off", .at = 0.1}};
+  config_.robots[0].spec.buses = {
+      {.name = "leg", .slots = {config_.robots[0].spec.motors[0].slot}}};
+  config_.robots[0].spec.fans = {{.name = "front", .place = 2}};
+  config_.robots[0].spec.dynamics.backlash = 0.01;
+  config_.robots[0].spec.dynamics.ripple = 0.1;
+  config_.robots[0].faults = {{.component = "rt/lowcmd", .fault = "delayed", .by = 0.02},
+                              {.component = "bus.leg", .fault = "slow", .by = 0.01},
+                              {.component = "bus.leg", .fault = "lost"},
+                              {.component = "fan.front", .fault = "off"},
+                              {.component = "imu", .fault = "off", .at = 0.1}};
   port_.KeepTheLastOnly();
   StartAs("clamped");
   port_.SendEveryTick(Torque(1));
   CountIn(60);
   EXPECT_EQ(CountIn(500), 0);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kFollowing);
 }
 
 TEST_F(AllocationTest, DoesNotHappenWhereSettingsChangeAndJointsAreMoved) {
@@ -168,7 +168,7 @@ TEST_F(AllocationTest, DoesNotHappenWhereSettingsChangeAndJointsAreMoved) {
     EXPECT_EQ(CountIn(2), 0) << key;
   }
   Ask("set", {{"key", "gate.mode"}, {"value", "lenient"}});
-  Ask("joint", {{"joint", config_.robot.motors[0].joint}, {"angle", 0.1}});
+  Ask("joint", {{"joint", config_.robots[0].spec.motors[0].joint}, {"angle", 0.1}});
   EXPECT_EQ(CountIn(500), 0);
 }
 
@@ -184,10 +184,10 @@ TEST_F(AllocationTest, DoesNotHappenOnTheCraneOrInTheClamp) {
 // A motion service with arms mixed over it, a remote controller that is used, refused commands,
 // a push, a drag, another speed and another pose.
 TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
-  config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
-  config_.robot.arm_sdk.slots = {6, 7};
-  config_.robot.remote.chords = {{.keys = "L2+B", .does = "damp"}};
-  config_.robot.remote.speed = {1, 1, 1};
+  config_.robots[0].spec.services = {{.name = "ai_sport", .alias = "ai"}};
+  config_.robots[0].spec.arm_sdk.slots = {6, 7};
+  config_.robots[0].spec.remote.chords = {{.keys = "L2+B", .does = "damp"}};
+  config_.robots[0].spec.remote.speed = {1, 1, 1};
   port_.KeepTheLastOnly();
   StartAs("hanging");
   port_.SendEveryTick(Torque(1));
@@ -207,7 +207,7 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
                 {.at = 0.8, .request = test::RequestOf("reset", "standing"), .where = ""}});
   CountIn(10);
   EXPECT_EQ(CountIn(1000), 0);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kClosed);
   services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
   EXPECT_EQ(CountIn(100), 0);
 }
@@ -216,7 +216,7 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
 TEST_F(AllocationTest, DoesNotHappenWhileAScriptWaits) {
   port_.KeepTheLastOnly();
   StartAs("hanging");
-  const std::string joint = config_.robot.motors[0].joint;
+  const std::string joint = config_.robots[0].spec.motors[0].joint;
   const std::string text =
       "[{at: 0.1, when: gap(lowcmd) > 1 or rate(lowcmd) < 1 or first_jump > 9 or q(" + joint +
       ") > 9 or base.tilt > 170 deg, clamp: on},"
@@ -224,22 +224,22 @@ TEST_F(AllocationTest, DoesNotHappenWhileAScriptWaits) {
       " {at: 0.1, when: lowcmd arrives, crane.release: },"
       " {after: previous, when: feet.force > 5, within: 5, push: {force: [1, 0, 0]}},"
       " {after: previous, at: 0.01, when: count(following) > 0, push: {force: [1, 0, 0]}}]";
-  script::Play(
-      script::ReadEvents(config::ParseYaml(text, "s"), signals::RunningNames(config_.robot)),
-      world_.get());
+  script::Play(script::ReadEvents(schema::ParseYaml(text, "s"),
+                                  signals::RunningNames(config_.robots[0].spec)),
+               world_.get());
   port_.SendEveryTick(Torque(0));
   Ask("remote.hold", "START+SELECT+UP+RIGHT+DOWN");
   CountIn(10);
   EXPECT_EQ(CountIn(4000), 0);
-  const Status status = world_->status();
+  const Status status = world_->status(0);
   EXPECT_EQ(status.script_done, 4U);
   EXPECT_EQ(status.script_waiting, 1U);
 }
 
 // With commands that come late to its motors, refused ones and none.
 TEST_F(AllocationTest, DoesNotHappenWithAHand) {
-  config_.robot = test::FixtureRobotWithHand();
-  config_.robot.dynamics.delay = 0.005;
+  config_.robots[0].spec = test::FixtureRobotWithHand();
+  config_.robots[0].spec.dynamics.delay = 0.005;
   port_.KeepTheLastOnly();
   StartAs("clamped");
   const robot::MotorCommand motor{.enabled = true, .q = 0.3, .kp = 20, .kd = 1, .watched = true};
@@ -250,7 +250,7 @@ TEST_F(AllocationTest, DoesNotHappenWithAHand) {
   command.motors[0].kp = -1;
   port_.SendHandsEveryTick(command);
   EXPECT_EQ(CountIn(1500), 0);
-  EXPECT_EQ(world_->status().hands[0].commands.timeouts, 1U);
+  EXPECT_EQ(world_->status(0).hands[0].commands.timeouts, 1U);
 }
 
 // A whole robot: on its crane, its motion service on, 29 motors and 14 fingers, noise.
@@ -261,15 +261,11 @@ TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   port_.KeepTheLastOnly();
   port_.SendHandsEveryTick(
       {.motors = std::vector<robot::MotorCommand>(7, {.enabled = true, .kp = 1, .kd = 0.1})});
-  world_ =
-      MakeIn({physics::LoadWorldModel({{config_.robot, root / "models" / config_.robot.model}},
-                                      root / "models/scene/flat.xml", config_.physics.timestep),
-              {{config_.robot}}},
-             &port_, &inbox_);
+  world_ = MakeIn(assembly::MakePhysics(&config_).world, &port_, &inbox_);
   CountIn(10);
   EXPECT_EQ(CountIn(500), 0);
-  EXPECT_EQ(world_->status().hands[1].commands.accepted, 510U);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
+  EXPECT_EQ(world_->status(0).hands[1].commands.accepted, 510U);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kClosed);
 }
 
 // From its stand into a trot, through a bend, and to a stand again; wheels roll and step.
@@ -279,18 +275,14 @@ TEST_F(AllocationTest, DoesNotHappenInAQuadrupedThatWalks) {
     config_ = config::LoadConfig({.robot = robot, .sets = {"start.pose=standing"}}, root);
     port_.TellEvery(1);
     port_.KeepTheLastOnly();
-    world_ =
-        MakeIn({physics::LoadWorldModel({{config_.robot, root / "models" / config_.robot.model}},
-                                        root / "models/scene/flat.xml", config_.physics.timestep),
-                {{config_.robot}}},
-               &port_, &inbox_);
+    world_ = MakeIn(assembly::MakePhysics(&config_).world, &port_, &inbox_);
     world_->Play({{.at = 0.2,
                    .request = test::RequestOf("remote.sticks",
                                               {{"ly", 0.5}, {"lx", -0.3}, {"rx", 0.3}, {"for", 3}}),
                    .where = ""}});
     CountIn(10);
     EXPECT_EQ(CountIn(4500), 0) << robot;
-    EXPECT_GT(world_->robot().sampled().base.p_WB.head<2>().norm(), 0.2) << robot;
+    EXPECT_GT(world_->robot(0).sampled().base.p_WB.head<2>().norm(), 0.2) << robot;
   }
 }
 
@@ -298,7 +290,7 @@ TEST_F(AllocationTest, DoesNotHappenForAStatus) {
   Start();
   CountIn(10);
   const std::int64_t before = allocations;
-  const Status status = world_->status();
+  const Status status = world_->status(0);
   EXPECT_EQ(allocations - before, 0);
   EXPECT_EQ(status.steps, 10);
 }
@@ -310,7 +302,7 @@ TEST_F(AllocationTest, DoesNotHappenForASnapshot) {
   command.motors[2].tau = NAN;
   port_.SendEveryTick(command);
   CountIn(10);
-  Snapshot snapshot = world_->MakeSnapshot();
+  Snapshot snapshot = world_->MakeSnapshot(0);
   snapshot.parts = kAllSnapshotParts;
   const std::int64_t before = allocations;
   for (int i = 0; i < 10; ++i) world_->Show(&snapshot);

@@ -12,7 +12,7 @@ class CommandsTest : public EmulatorTest {
  protected:
   CommandsTest() {
     port_.TellEvery(1);
-    config_.start.pose = "clamped";
+    config_.robots[0].start.pose = "clamped";
     Start();
   }
 };
@@ -31,7 +31,7 @@ TEST_F(CommandsTest, ShowInTheStateOfTheStepThatTakesThem) {
 }
 
 TEST_F(CommandsTest, ReachTheMotorsAfterTheDelayOfTheRobot) {
-  config_.robot.dynamics.delay = 0.002;
+  config_.robots[0].spec.dynamics.delay = 0.002;
   Start();
   port_.Send(Torque(2));
   Tick(3);
@@ -57,7 +57,7 @@ TEST_F(CommandsTest, AreTakenAllAndTheLastIsFollowed) {
   for (int i = 1; i <= 5; ++i) port_.Send(Torque(i));
   Tick();
   EXPECT_TRUE(port_.idle());
-  EXPECT_EQ(world_->status().commands.accepted, 5U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 5U);
   EXPECT_EQ(port_.last().state.motors[0].tau, 5);
 }
 
@@ -74,8 +74,8 @@ TEST_F(CommandsTest, AreTakenEightAtOnceAndTheOthersInLaterTicks) {
   Tick();
   EXPECT_TRUE(port_.idle());
   EXPECT_EQ(port_.last().state.motors[0].tau, 20);
-  EXPECT_EQ(world_->status().commands.accepted, 20U);
-  EXPECT_EQ(world_->status()
+  EXPECT_EQ(world_->status(0).commands.accepted, 20U);
+  EXPECT_EQ(world_->status(0)
                 .user_commands.refused[static_cast<std::size_t>(robot::Refusal::kNoMotionService)],
             20U);
 }
@@ -87,7 +87,7 @@ TEST_F(CommandsTest, OfNoTopicKeepThoseOfAnotherWaiting) {
     port_.SendUser(Torque(i));
   }
   Tick();
-  const Status status = world_->status();
+  const Status status = world_->status(0);
   const auto refused = static_cast<std::size_t>(robot::Refusal::kNoMotionService);
   EXPECT_EQ(status.commands.accepted, 6U);
   EXPECT_EQ(status.arm_commands.refused[refused], 5U);
@@ -98,7 +98,7 @@ TEST_F(CommandsTest, ThatWereLostAreCountedAndTold) {
   port_.Lose(robot::kLowCmdTopic, 12);
   Tick(2);
   const auto lost = static_cast<std::size_t>(robot::Refusal::kLost);
-  EXPECT_EQ(world_->status().commands.refused[lost], 12U);
+  EXPECT_EQ(world_->status(0).commands.refused[lost], 12U);
   EXPECT_THAT(Told(EventKind::kLostCommands),
               testing::ElementsAre(testing::StartsWith("refused 12 LowCmd (lost): more came")));
 }
@@ -115,7 +115,7 @@ TEST_F(CommandsTest, AreGatheredButNotTakenWhileTimeStandsStill) {
 TEST_F(CommandsTest, OfAWriterThatDoesNotMatchAreCountedAsWriters) {
   robot().NoteUnmatched("rt/lowcmd", "rt/lowcmd by process 7 (a): ownership");
   robot().NoteUnmatched("rt/api/sport/request", "rt/api/sport/request by process 7 (a): type X");
-  const Status status = world_->status();
+  const Status status = world_->status(0);
   EXPECT_EQ(status.commands.refused[static_cast<std::size_t>(robot::Refusal::kUnmatched)], 1U);
   EXPECT_EQ(status.services.refused[static_cast<std::size_t>(services::CallRefusal::kUnmatched)],
             1U);
@@ -162,7 +162,7 @@ TEST_F(CommandsTest, AreCutToWhatTheMotorGives) {
 
 TEST_F(CommandsTest, AreFollowedInMotorSpaceToo) {
   robot::RobotCommand command = Torque(0);
-  command.joint_space = robot::JointSpace::kMotors;
+  for (robot::MotorCommand& motor : command.motors) motor.space = robot::JointSpace::kMotors;
   command.motors[5].tau = 3;  // A of the neck
   port_.Send(command);
   Tick();
@@ -187,18 +187,18 @@ TEST_F(CommandsTest, MoveTheRobot) {
 TEST_F(CommandsTest, EndInDampingAfterSilence) {
   port_.Send(Torque(2));
   Tick(200);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kFollowing);
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
   Tick(2);  // 0.2 s is over
-  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
-  EXPECT_EQ(world_->status().commands.timeouts, 1U);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status(0).commands.timeouts, 1U);
   for (const robot::MotorReading& motor : port_.last().state.motors) {
-    EXPECT_NEAR(motor.tau, -config_.gate.damping_kd * motor.dq, 1e-12);
+    EXPECT_NEAR(motor.tau, -config_.robots[0].gate.damping_kd * motor.dq, 1e-12);
     EXPECT_TRUE(motor.enabled);
   }
   port_.Send(Torque(2));
   Tick();
-  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kFollowing);
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
 }
 
@@ -217,12 +217,12 @@ TEST_F(CommandsTest, ChangeNothingWhenRefused) {
     ASSERT_EQ(quiet->Tick({}), physics::StepHealth::kFine);
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
-  EXPECT_EQ(world_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)],
+  EXPECT_EQ(world_->status(0).commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)],
             300U);
   EXPECT_EQ(Told(EventKind::kRefused).size(), 300U);
   EXPECT_THAT(Told(EventKind::kRefused).back(), testing::HasSubstr("LowCmd (crc)"));
   EXPECT_EQ(Told(EventKind::kTimeout).size(), 1U);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kDamping);
 }
 
 TEST_F(CommandsTest, DoNoHarmWhenTheyHoldNoNumbers) {
@@ -240,16 +240,16 @@ TEST_F(CommandsTest, DoNoHarmWhenTheyHoldNoNumbers) {
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
   EXPECT_THAT(Told(EventKind::kRefused).back(), testing::HasSubstr("LowCmd (not_finite)"));
-  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kStart);
 }
 
 TEST_F(CommandsTest, PassALenientGateWithWrongForm) {
-  config_.gate.lenient = true;
+  config_.robots[0].gate.lenient = true;
   Start();
   port_.Send(Torque(2), robot::Refusal::kCrc);
   Tick();
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
-  EXPECT_EQ(world_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)], 1U);
+  EXPECT_EQ(world_->status(0).commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)], 1U);
 }
 
 TEST_F(CommandsTest, DrawOnTheBattery) {

@@ -10,25 +10,25 @@ namespace {
 class DeterminismTest : public EmulatorTest {
  protected:
   DeterminismTest() {
-    config_.sensors = {.quantise = true,
-                       .noise = true,
-                       .seed = 3,
-                       .imu = {.gyro_bias = 0.01,
-                               .gyro_walk = 0.01,
-                               .accel_walk = 0.01,
-                               .bandwidth = 100,
-                               .latency = 0.002,
-                               .attitude = sensors::AttitudeSource::kFilter},
-                       .encoder = {.zero = 0.01},
-                       .foot = {.offset = 1, .walk = 1},
-                       .thermometer = {.time_constant = 1, .offset_c = 1},
-                       .odometer = {.scale = 0.1, .walk = 0.01}};
-    config_.robot.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
-    config_.robot.imu.gyro_noise = 0.01;
-    config_.robot.imu.accel_noise = 0.05;
-    config_.start.pose = "hanging";
-    config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
-    config_.robot.remote.chords = {{.keys = "L2+Y", .does = "zero_torque"}};
+    config_.robots[0].sensors = {.quantise = true,
+                                 .noise = true,
+                                 .seed = 3,
+                                 .imu = {.gyro_bias = 0.01,
+                                         .gyro_walk = 0.01,
+                                         .accel_walk = 0.01,
+                                         .bandwidth = 100,
+                                         .latency = 0.002,
+                                         .attitude = sensors::AttitudeSource::kFilter},
+                                 .encoder = {.zero = 0.01},
+                                 .foot = {.offset = 1, .walk = 1},
+                                 .thermometer = {.time_constant = 1, .offset_c = 1},
+                                 .odometer = {.scale = 0.1, .walk = 0.01}};
+    config_.robots[0].spec.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
+    config_.robots[0].spec.imu.gyro_noise = 0.01;
+    config_.robots[0].spec.imu.accel_noise = 0.05;
+    config_.robots[0].start.pose = "hanging";
+    config_.robots[0].spec.services = {{.name = "ai_sport", .alias = "ai"}};
+    config_.robots[0].spec.remote.chords = {{.keys = "L2+Y", .does = "zero_torque"}};
   }
 
   // One after the other, as different processes would.
@@ -46,9 +46,9 @@ class DeterminismTest : public EmulatorTest {
         }
         port.Send(command, step % 9 == 0 ? robot::Refusal::kCrc : robot::Refusal::kNone);
       }
-      if (step == 100) inbox.Put(test::RequestOf("remote.press", "L2+Y"), Inbox::WallTime::max());
+      if (step == 100) inbox.Put(test::RequestOf("remote.press", "L2+Y"));
       if (step == 300) services.Call([](authority::MotorOwner* owner) { owner->Release(); });
-      if (step == 700) inbox.Put(test::RequestOf("crane.release"), Inbox::WallTime::max());
+      if (step == 700) inbox.Put(test::RequestOf("crane.release"));
       EXPECT_EQ(world->Tick({}), physics::StepHealth::kFine);
     }
     std::vector<std::string> states;
@@ -67,7 +67,7 @@ TEST_F(DeterminismTest, EqualRobotsSendEqualStatesBitForBit) {
 
 TEST_F(DeterminismTest, AnotherSeedSendsOtherStates) {
   const auto first = Play();
-  config_.sensors.seed = 4;
+  config_.robots[0].sensors.seed = 4;
   EXPECT_NE(first, Play());
 }
 

@@ -7,13 +7,13 @@ namespace {
 class EmulatorDivergenceTest : public EmulatorTest {
  protected:
   EmulatorDivergenceTest() {
-    for (robot::MotorSpec& motor : config_.robot.motors) {
+    for (robot::MotorSpec& motor : config_.robots[0].spec.motors) {
       motor.torque_limit = 1e30;
       motor.type = "";
     }
-    config_.robot.battery.internal_ohm = 0;
+    config_.robots[0].spec.battery.internal_ohm = 0;
     port_.TellEvery(1);
-    config_.start.pose = "standing";
+    config_.robots[0].start.pose = "standing";
   }
 
   void Diverge() {
@@ -27,7 +27,7 @@ class EmulatorDivergenceTest : public EmulatorTest {
 TEST_F(EmulatorDivergenceTest, IsReportedAndCounted) {
   Start();
   Diverge();
-  EXPECT_EQ(world_->status().divergences, 1U);
+  EXPECT_EQ(world_->status(0).divergences, 1U);
 }
 
 TEST_F(EmulatorDivergenceTest, SendsNothingOfTheStep) {
@@ -35,7 +35,7 @@ TEST_F(EmulatorDivergenceTest, SendsNothingOfTheStep) {
   Diverge();
   EXPECT_EQ(port_.samples().size(), 100U);
   EXPECT_EQ(port_.last().state.tick_ms, 99);
-  EXPECT_EQ(world_->status().published, 100U);
+  EXPECT_EQ(world_->status(0).published, 100U);
 }
 
 TEST_F(EmulatorDivergenceTest, PutsTheRobotBackToItsStartWhileTimeGoesOn) {
@@ -43,35 +43,35 @@ TEST_F(EmulatorDivergenceTest, PutsTheRobotBackToItsStartWhileTimeGoesOn) {
   Start();
   Diverge();
   EXPECT_EQ(world_->step(), 101);
-  EXPECT_EQ(Height(), config_.robot.standing.height);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(Height(), config_.robots[0].spec.standing.height);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kStart);
 
   Tick(500);
   EXPECT_EQ(port_.samples()[100].state.tick_ms, 101);
   EXPECT_EQ(port_.last().state.tick_ms, 600);
-  EXPECT_NEAR(Height(), config_.robot.standing.height, 0.01);
-  EXPECT_EQ(world_->status().divergences, 1U);
+  EXPECT_NEAR(Height(), config_.robots[0].spec.standing.height, 0.01);
+  EXPECT_EQ(world_->status(0).divergences, 1U);
 }
 
 TEST_F(EmulatorDivergenceTest, HangsTheRobotUpAgain) {
   config_.physics.on_divergence = config::DivergenceAction::kReset;
-  config_.start.pose = "hanging";
+  config_.robots[0].start.pose = "hanging";
   Start();
   Ask("crane.lower", 0.2);
   Diverge();
-  EXPECT_TRUE(world_->status().crane_attached);
+  EXPECT_TRUE(world_->status(0).crane_attached);
   Tick(500);
-  EXPECT_NEAR(Height(), config_.robot.hanging.height, 0.001);
+  EXPECT_NEAR(Height(), config_.robots[0].spec.hanging.height, 0.001);
 }
 
 TEST_F(EmulatorDivergenceTest, ClampsTheRobotAgain) {
   config_.physics.on_divergence = config::DivergenceAction::kReset;
-  config_.start.pose = "clamped";
+  config_.robots[0].start.pose = "clamped";
   Start();
   Diverge();
-  EXPECT_TRUE(world_->status().clamped);
+  EXPECT_TRUE(world_->status(0).clamped);
   Tick(500);
-  EXPECT_NEAR(Height(), config_.robot.hanging.height, 0.001);
+  EXPECT_NEAR(Height(), config_.robots[0].spec.hanging.height, 0.001);
 }
 
 }  // namespace

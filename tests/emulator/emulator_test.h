@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "config/load.h"
+#include "assembly/make_world.h"
 #include "emulator/told_event.h"
 #include "emulator/world.h"
 #include "tests/support/fake_port.h"
@@ -21,28 +21,27 @@ class EmulatorTest : public test::MujocoTest {
   // Makes the robot of config_. Tests change config_ before.
   void Start() { world_ = Make(&port_, &inbox_, &services_); }
   void StartAs(const char* pose) {
-    config_.start.pose = pose;
+    config_.robots[0].start.pose = pose;
     Start();
   }
 
   // Another world with the robot of config_.
   std::unique_ptr<World> Make(wire::RobotPort* port, Inbox* inbox,
                               services::ServicePort* services = nullptr) const {
-    return MakeIn(test::FixtureWorld(config_.robot, config_.physics.timestep), port, inbox,
+    return MakeIn(test::FixtureWorld(config_.robots[0].spec, config_.physics.timestep), port, inbox,
                   services);
   }
   std::unique_ptr<World> MakeIn(physics::World physics, wire::RobotPort* port, Inbox* inbox,
                                 services::ServicePort* services = nullptr) const {
-    return std::make_unique<World>(
-        std::move(physics), config::WorldSettingsOf(config_),
-        std::vector<RobotParts>{{.spec = config_.robot,
-                                 .settings = config::RobotSettingsOf(config_),
-                                 .port = port,
-                                 .services = services}},
+    return assembly::MakeWorld(
+        std::move(physics), config_,
+        [=](std::size_t) {
+          return assembly::Ports{port, services};
+        },
         inbox);
   }
 
-  Robot& robot() const { return world_->robot(); }
+  Robot& robot() const { return world_->robot(0); }
 
   // Ticks that must go well.
   void Tick(int times = 1) {
@@ -51,13 +50,13 @@ class EmulatorTest : public test::MujocoTest {
 
   // The next tick carries it out; nobody waits for the answer.
   void Ask(std::string_view name, const nlohmann::json& values = {}) {
-    inbox_.Put(test::RequestOf(name, values), Inbox::WallTime::max());
+    inbox_.Put(test::RequestOf(name, values));
   }
   // What the next tick answers; "" when it is done.
   std::string Answered(std::string_view name, const nlohmann::json& values = {}) {
-    auto answer = inbox_.Put(test::RequestOf(name, values), Inbox::WallTime::max());
+    auto asked = inbox_.Put(test::RequestOf(name, values));
     Tick();
-    return answer->get().why();
+    return asked->answer.get().why();
   }
 
   // What has been told so far of that kind, oldest first.

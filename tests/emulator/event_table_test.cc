@@ -7,6 +7,7 @@
 #include "authority/unheeded.h"
 #include "emulator/told_event.h"
 #include "robot/refusal.h"
+#include "services/service_port.h"
 #include "tests/support/requests.h"
 
 namespace understudy::emulator {
@@ -92,10 +93,29 @@ TEST(EventTableTest, SaysWhatBefellTheRobot) {
   EXPECT_EQ(Said(Made(EventKind::kTimeout, {}, "rt/user_lowcmd")),
             "LowCmd of rt/user_lowcmd stopped: motors are damping until the next one");
   EXPECT_EQ(Said(Made(EventKind::kTimeout, {}, "rt/dex3/left/cmd")),
-            "HandCmd of rt/dex3/left/cmd stopped: watched motors lock until mode's bit 7 is 0");
+            "HandCmd of rt/dex3/left/cmd stopped: watched motors lock until the next one");
   EXPECT_EQ(Said(Made(EventKind::kDivergence, {}, "", 1.25)), "the physics diverged at 1.250 s");
   EXPECT_EQ(Said(Made(EventKind::kSpeed, {0})), "speed as fast as possible");
   EXPECT_EQ(Said(Made(EventKind::kSpeed, {2.5})), "speed 2.5");
+}
+
+TEST(EventTableTest, SaysWhatAProgramWaitsForInVainAndWhoWouldServeIt) {
+  EXPECT_EQ(Said(Made(EventKind::kUnserved, {1, 12}, "rt/utlidar/cloud")),
+            "process 12 waits for rt/utlidar/cloud, which nobody here sends; it would come from "
+            "the lidar of a Go2; what of it is simulated is in docs/seeing.md");
+  EXPECT_EQ(Said(Made(EventKind::kUnserved, {0, 0}, "rt/dex1/left/cmd")),
+            "a program writes rt/dex1/left/cmd, which nobody here reads; it is for "
+            "a robot with Dex1-1 grippers, as `understudy run g1 --hands dex1`");
+  EXPECT_EQ(Detail(Made(EventKind::kUnserved, {1, 12}, "rt/gnss")),
+            R"({"process":12,"reads":true,"topic":"rt/gnss"})");
+}
+
+TEST(EventTableTest, NamesTheRemedyForAnotherCyclone) {
+  EXPECT_THAT(Said(Made(EventKind::kUnmatched, {},
+                        "rt/lowcmd by process 12 (python3): another definition of X")),
+              testing::HasSubstr("`pip install cyclonedds==0.10.2`"));
+  EXPECT_THAT(Said(Made(EventKind::kUnmatched, {}, "rt/lowcmd by process 12 (python3): type Y")),
+              testing::Not(testing::HasSubstr("pip")));
 }
 
 TEST(EventTableTest, SaysWhyTheRemoteControllerMovesNothing) {
@@ -146,6 +166,18 @@ TEST(EventDigestTest, TellsTheFirstAtOnceAndOfABurstItsCount) {
   EXPECT_THAT(digest.Due(9), IsEmpty());
 }
 
+TEST(EventDigestTest, TellsFewOfTheIdsThatAClientTries) {
+  EventDigest digest(1);
+  std::size_t told = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Event event =
+        Made(EventKind::kCallRefused, {static_cast<double>(services::CallRefusal::kUnknownApi)},
+             "sport " + std::to_string(i));
+    if (digest.Take(event, 0.001 * i)) ++told;
+  }
+  EXPECT_EQ(told, 8U);
+}
+
 TEST(EventDigestTest, KeepsCausesApart) {
   EventDigest digest(1);
   EXPECT_TRUE(digest.Take(Refused(robot::Refusal::kCrc), 0));
@@ -161,7 +193,7 @@ TEST(EventDigestTest, TellsInTheEndWhatItHeldBack) {
   EventDigest digest(1);
   digest.Take(Refused(robot::Refusal::kGain), 0);
   for (int i = 0; i < 3; ++i) digest.Take(Refused(robot::Refusal::kGain), 0.1);
-  const std::vector<ToldEvent> rest = digest.Rest();
+  const std::vector<ToldEvent> rest = digest.Flush();
   ASSERT_EQ(rest.size(), 1U);
   EXPECT_THAT(rest[0].text(), testing::StartsWith("refused 3 LowCmd (gain)"));
 }
@@ -178,7 +210,7 @@ TEST(EventDigestTest, TellsNoMoreCausesApartThanItHasRoomFor) {
     if (digest.Take(Made(EventKind::kCall, {static_cast<double>(api)}), 0)) ++told;
   }
   EXPECT_EQ(told, EventDigest::kMostCauses);
-  const std::vector<ToldEvent> rest = digest.Rest();
+  const std::vector<ToldEvent> rest = digest.Flush();
   ASSERT_EQ(rest.size(), 1U);
   EXPECT_EQ(rest[0].count, 5000 - EventDigest::kMostCauses);
   // What is over makes room.
@@ -192,7 +224,7 @@ TEST(EventDigestTest, KeepsTheWorstAndTheSumOfABurst) {
     digest.Take(Made(EventKind::kWriteFailure, {2}), 0);
   }
   std::vector<std::string> said;
-  for (const ToldEvent& told : digest.Rest()) said.push_back(told.text());
+  for (const ToldEvent& told : digest.Flush()) said.push_back(told.text());
   EXPECT_THAT(
       said, ElementsAre("3 ticks began late, the worst by 4.0 ms", "6 messages could not be sent"));
 }

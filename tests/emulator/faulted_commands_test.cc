@@ -19,10 +19,10 @@ TEST_F(FaultedCommandsTest, DoNotArriveWhereTheirTopicIsOff) {
   port_.SendEveryTick(Torque(1));
   Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "off"}});
   Tick(5);
-  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 0U);
   Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "none"}});
   Tick(5);
-  EXPECT_EQ(world_->status().commands.accepted, 5U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 5U);
 }
 
 TEST_F(FaultedCommandsTest, ArriveTwiceWhereTheirTopicDoubles) {
@@ -30,7 +30,7 @@ TEST_F(FaultedCommandsTest, ArriveTwiceWhereTheirTopicDoubles) {
   port_.SendEveryTick(Torque(1));
   Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "doubled"}, {"by", 1}});
   Tick(5);
-  EXPECT_EQ(world_->status().commands.accepted, 10U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 10U);
 }
 
 TEST_F(FaultedCommandsTest, AreRefusedForTheirCrcWhereTheirTopicDamagesThem) {
@@ -38,8 +38,8 @@ TEST_F(FaultedCommandsTest, AreRefusedForTheirCrcWhereTheirTopicDamagesThem) {
   port_.SendEveryTick(Torque(1));
   Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "damaged"}, {"by", 1}});
   Tick(5);
-  EXPECT_EQ(world_->status().commands.accepted, 0U);
-  EXPECT_EQ(world_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)], 5U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 0U);
+  EXPECT_EQ(world_->status(0).commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)], 5U);
 }
 
 TEST_F(FaultedCommandsTest, ComeAfterTheNextWhereTheirTopicReordersThem) {
@@ -48,10 +48,10 @@ TEST_F(FaultedCommandsTest, ComeAfterTheNextWhereTheirTopicReordersThem) {
   Tick();
   port_.Send(Torque(1));
   Tick();
-  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 0U);
   port_.Send(Torque(2));
   Tick();
-  EXPECT_EQ(world_->status().commands.accepted, 2U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 2U);
   EXPECT_EQ(robot().torque()[0], 1);  // of the first, which came last
 }
 
@@ -63,7 +63,7 @@ TEST_F(FaultedCommandsTest, AreLostWhereTheyAreOvertakenTooLate) {
   Tick(200);
   port_.Send(Torque(2));
   Tick();
-  EXPECT_EQ(world_->status().commands.accepted, 1U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 1U);
   EXPECT_EQ(robot().torque()[0], 2);
 }
 
@@ -75,7 +75,7 @@ TEST_F(FaultedCommandsTest, ComeLaterInTheirOrderWhereTheirTopicDelaysThem) {
   Tick();
   port_.Send(Torque(2));
   Tick(2);
-  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 0U);
   Tick();
   EXPECT_EQ(robot().torque()[0], 1);
   Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "none"}});
@@ -84,7 +84,7 @@ TEST_F(FaultedCommandsTest, ComeLaterInTheirOrderWhereTheirTopicDelaysThem) {
   port_.Send(Torque(3));
   Tick();
   EXPECT_EQ(robot().torque()[0], 3);  // at once again
-  EXPECT_EQ(world_->status().commands.accepted, 3U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 3U);
 }
 
 TEST_F(FaultedCommandsTest, DoNotOvertakeThoseThatAreUnderWay) {
@@ -95,14 +95,15 @@ TEST_F(FaultedCommandsTest, DoNotOvertakeThoseThatAreUnderWay) {
   Tick(3);  // the fault is over
   port_.Send(Torque(2));
   Tick(5);
-  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 0U);
   Tick(5);
-  EXPECT_EQ(world_->status().commands.accepted, 2U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 2U);
   EXPECT_EQ(robot().torque()[0], 2);
 }
 
 TEST_F(FaultedCommandsTest, ComeToTheMotorsOfASlowBusLaterAndToOthersAtOnce) {
-  config_.robot.buses = {{.name = "leg", .slots = {config_.robot.motors[0].slot}}};
+  config_.robots[0].spec.buses = {
+      {.name = "leg", .slots = {config_.robots[0].spec.motors[0].slot}}};
   StartAs("clamped");
   Ask("fault", {{"component", "bus.leg"}, {"fault", "slow"}, {"by", 0.005}});
   port_.Send(Torque(1));
@@ -116,8 +117,8 @@ TEST_F(FaultedCommandsTest, ComeToTheMotorsOfASlowBusLaterAndToOthersAtOnce) {
 }
 
 TEST_F(FaultedCommandsTest, TakeLongerOnABusByItsOwnDelay) {
-  config_.robot.buses = {
-      {.name = "leg", .slots = {config_.robot.motors[0].slot}, .delay = {0.004, 0.004}}};
+  config_.robots[0].spec.buses = {
+      {.name = "leg", .slots = {config_.robots[0].spec.motors[0].slot}, .delay = {0.004, 0.004}}};
   StartAs("clamped");
   port_.Send(Torque(3));
   Tick(4);
@@ -129,7 +130,7 @@ TEST_F(FaultedCommandsTest, TakeLongerOnABusByItsOwnDelay) {
 
 // The encoder sits on the motor's shaft, which turns before the joint does.
 TEST_F(FaultedCommandsTest, MoveTheShaftThroughThePlayOfItsGearBeforeTheJoint) {
-  config_.robot.dynamics.backlash = 0.02;
+  config_.robots[0].spec.dynamics.backlash = 0.02;
   StartAs("clamped");
   const auto ahead = [this] {
     const robot::RobotState& state = port_.last().state;
@@ -145,14 +146,14 @@ TEST_F(FaultedCommandsTest, MoveTheShaftThroughThePlayOfItsGearBeforeTheJoint) {
 
 // A drive closes its loop over its own encoder.
 TEST_F(FaultedCommandsTest, MoveTheJointByTheOffsetOfItsEncoder) {
-  config_.sensors.noise = false;
+  config_.robots[0].sensors.noise = false;
   StartAs("clamped");
   robot::RobotCommand hold = Torque(0);
   for (robot::MotorCommand& motor : hold.motors) motor.kp = 200, motor.kd = 5;
   port_.SendEveryTick(hold);
   Tick(1000);
   const double before = world_->physics().robot().q()[kJoint];
-  Ask("fault", {{"component", config_.robot.motors[kJoint].joint + ".encoder"},
+  Ask("fault", {{"component", config_.robots[0].spec.motors[kJoint].joint + ".encoder"},
                 {"fault", "offset"},
                 {"by", 0.1}});
   Tick(1000);

@@ -15,7 +15,7 @@ constexpr std::size_t kPitch = 1;
 class HandsTest : public EmulatorTest {
  protected:
   HandsTest() {
-    config_.robot = test::FixtureRobotWithHand();
+    config_.robots[0].spec = test::FixtureRobotWithHand();
     StartAs("clamped");
   }
 
@@ -48,7 +48,7 @@ TEST_F(HandsTest, FollowPositionCommandsMotorByMotor) {
 }
 
 TEST_F(HandsTest, AreShownBehindTheBody) {
-  Snapshot snapshot = world_->MakeSnapshot();
+  Snapshot snapshot = world_->MakeSnapshot(0);
   snapshot.parts = kPartMotors | kPartCommand;
   world_->Show(&snapshot);  // before the first tick
   port_.SendHand(0, Reach(0.5, -0.25));
@@ -63,11 +63,26 @@ TEST_F(HandsTest, AreShownBehindTheBody) {
   EXPECT_EQ(snapshot.command[5].q, -0.25);
 }
 
+TEST_F(HandsTest, AreSaidOnceToHangWhereACommandHoldsOnlyOthers) {
+  robot::RobotCommand command = Reach(0.5, 0);
+  command.motors[kPitch].kp = 0;
+  port_.SendHand(0, command);
+  Tick();
+  EXPECT_THAT(Told(EventKind::kUnheld), testing::IsEmpty()) << "kd brakes it";
+  command.motors[kPitch].kd = 0;
+  for (int i = 0; i < 2; ++i) {
+    port_.SendHand(0, command);
+    Tick();
+  }
+  EXPECT_THAT(Told(EventKind::kUnheld),
+              testing::ElementsAre(testing::HasSubstr("/cmd: neck_pitch_joint: kp and tau")));
+}
+
 TEST_F(HandsTest, HoldWhatTheyWereLastToldWhenNobodyWatches) {
   port_.SendHand(0, Reach(0.5, 0.5));
   Tick(5000);
   EXPECT_NEAR(Reading(kPitch).q, 0.5, 1e-3);
-  EXPECT_EQ(HandOf(world_->status()).commands.timeouts, 0U);
+  EXPECT_EQ(HandOf(world_->status(0)).commands.timeouts, 0U);
 }
 
 TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
@@ -81,7 +96,7 @@ TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
   EXPECT_NEAR(Reading(kRoll).dq, 0, 1e-2);
   EXPECT_TRUE(Reading(kRoll).timed_out);
   EXPECT_FALSE(Reading(kRoll).enabled);
-  EXPECT_EQ(HandOf(world_->status()).commands.timeouts, 1U);
+  EXPECT_EQ(HandOf(world_->status(0)).commands.timeouts, 1U);
 }
 
 TEST_F(HandsTest, BrakeWhenLocked) {
@@ -106,7 +121,7 @@ TEST_F(HandsTest, GiveNoMoreTorqueThanTheirMotorsHave) {
 }
 
 TEST_F(HandsTest, FollowAsLateAsTheBody) {
-  config_.robot.dynamics.delay = 0.002;
+  config_.robots[0].spec.dynamics.delay = 0.002;
   port_.TellEvery(1);
   StartAs("clamped");
   robot::RobotCommand command = Reach(0, 0);
@@ -156,7 +171,7 @@ TEST_F(HandsTest, CountRefusalsByReasonApartFromTheBodys) {
   port_.SendHand(0, {}, robot::Refusal::kMotorCount);
   port_.SendHand(0, Reach(0, 0));
   Tick();
-  const Status status = world_->status();
+  const Status status = world_->status(0);
   const HandStatus hand = HandOf(status);
   EXPECT_STREQ(hand.name.data(), "neck");
   EXPECT_EQ(hand.commands.accepted, 1U);

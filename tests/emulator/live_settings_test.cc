@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include <mujoco/mujoco.h>
 
 #include "config/keys.h"
 #include "config/load.h"
-#include "config/reader.h"
 #include "config/reference.h"
-#include "config/setting_keys.h"
-#include "config/yaml_document.h"
+#include "schema/yaml_document.h"
+#include "schema/yaml_reader.h"
 #include "tests/emulator/emulator_test.h"
 #include "tests/emulator/state_bytes.h"
 
@@ -22,7 +22,7 @@ using nlohmann::json;
 
 class LiveSettingsTest : public EmulatorTest {
  protected:
-  LiveSettingsTest() { config_.robot.imu.gyro_noise = 0.01; }
+  LiveSettingsTest() { config_.robots[0].spec.imu.gyro_noise = 0.01; }
 
   std::string Set(const std::string& key, const json& value) {
     return Answered("set", {{"key", key}, {"value", value}});
@@ -35,7 +35,7 @@ class LiveSettingsTest : public EmulatorTest {
     Inbox inbox;
     const auto world = Make(&port, &inbox);
     for (const json& values : sets) {
-      inbox.Put(test::RequestOf("set", values), Inbox::WallTime::max());
+      inbox.Put(test::RequestOf("set", values));
     }
     for (int step = 0; step < 200; ++step) {
       EXPECT_EQ(world->Tick({}), physics::StepHealth::kFine);
@@ -51,7 +51,7 @@ class LiveSettingsTest : public EmulatorTest {
 // Whether a configuration file may have it.
 bool Reads(const std::string& key, const std::string& value) {
   config::Config config;
-  config::Places places;
+  schema::Places places;
   std::string text;
   std::string indent;
   std::size_t at = 0;
@@ -61,8 +61,8 @@ bool Reads(const std::string& key, const std::string& value) {
   }
   text += indent + key.substr(at) + ": " + value + "\n";
   try {
-    const config::YamlValue tree = config::ParseYaml(text, "file");
-    config::Reader reader(tree, &places);
+    const schema::YamlValue tree = schema::ParseYaml(text, "file");
+    schema::YamlReader reader(tree, &places);
     config::Describe(reader, config);
     reader.Finish();
     return true;
@@ -93,9 +93,9 @@ TEST_F(LiveSettingsTest, AreEachAKeyOfTheConfigurationAndEveryOtherSaysWhyItIsNo
 TEST_F(LiveSettingsTest, TakeWhatAConfigurationFileMayHaveAndNothingElse) {
   Start();
   int taken = 0, refused = 0;
-  for (const SettingKey& key : config::SettingKeys()) {
+  for (const schema::Entry& key : config::SettingKeys()) {
     std::vector<json> values = {true, false, 0, 1, -1, 1e9, "strict", "lenient", "stop", "zzz"};
-    for (const double edge : {key.low, key.high}) {
+    for (const double edge : {key.range.min, key.range.max}) {
       if (std::abs(edge) > 1e12) continue;
       values.insert(values.end(),
                     {edge, std::nextafter(edge, -1e300), std::nextafter(edge, 1e300)});
@@ -109,6 +109,24 @@ TEST_F(LiveSettingsTest, TakeWhatAConfigurationFileMayHaveAndNothingElse) {
   }
   EXPECT_GT(taken, 60);
   EXPECT_GT(refused, 100);
+}
+
+TEST_F(LiveSettingsTest, AllStandInTheConfigurationInEffect) {
+  const auto number = [](const std::variant<bool*, double*>& at) {
+    return std::visit([](auto* value) { return static_cast<double>(*value); }, at);
+  };
+  for (const LiveSetting& setting : LiveSettings()) {
+    WorldSettings world = config::WorldSettingsOf(config_);
+    RobotSettings robot = config::RobotSettingsOf(config_.robots[0]);
+    std::visit([](auto* value) { *value = *value == 0; }, setting.at(world, robot));
+    config::Config in_effect = config_;
+    config::TakeSettings(world, &in_effect);
+    config::TakeSettings(robot, &in_effect.robots[0]);
+    WorldSettings world_again = config::WorldSettingsOf(in_effect);
+    RobotSettings robot_again = config::RobotSettingsOf(in_effect.robots[0]);
+    EXPECT_EQ(number(setting.at(world_again, robot_again)), number(setting.at(world, robot)))
+        << setting.key;
+  }
 }
 
 TEST_F(LiveSettingsTest, AreRefusedWithTheNearestKeyAndWithWhatIsExpected) {
@@ -140,8 +158,8 @@ TEST_F(LiveSettingsTest, AreToldWhenTheyChangeAndListedWithTheirValues) {
   EXPECT_EQ(
       Told(EventKind::kSetting),
       (std::vector<std::string>{"set sensors.noise_gain: 3, before 1", "set gate.mode: lenient",
-                                "set terrain.friction: 0.5, before each its own"}));
-  Snapshot snapshot = world_->MakeSnapshot();
+                                "set terrain.friction: 0.5, before each patch's own"}));
+  Snapshot snapshot = world_->MakeSnapshot(0);
   snapshot.parts = kPartSettings;
   world_->Show(&snapshot);
   for (std::size_t i = 0; i < snapshot.settings.size(); ++i) {
@@ -154,7 +172,7 @@ TEST_F(LiveSettingsTest, AreToldWhenTheyChangeAndListedWithTheirValues) {
       EXPECT_EQ(snapshot.setting_keys[i].words.at(word), "lenient");
     }
     if (key == "gate.timeout") {
-      EXPECT_EQ(snapshot.settings[i], config_.gate.timeout);
+      EXPECT_EQ(snapshot.settings[i], config_.robots[0].gate.timeout);
     }
   }
 }
@@ -170,12 +188,12 @@ TEST_F(LiveSettingsTest, AreAsIfTheyHadBeenSoFromTheStart) {
             {{"key", "sensors.foot.scale"}, {"value", 0.1}},
             {{"key", "sensors.thermometer.offset_c"}, {"value", 2}},
             {{"key", "sensors.odometer.scale"}, {"value", 0.1}}});
-  config_.sensors.imu.gyro_bias = 0.1;
-  config_.sensors.imu.accel_scale = 0.1;
-  config_.sensors.imu.gyro_misalignment = 0.1;
-  config_.sensors.foot = {.scale = 0.1, .cross_talk = 0.1};
-  config_.sensors.thermometer.offset_c = 2;
-  config_.sensors.odometer.scale = 0.1;
+  config_.robots[0].sensors.imu.gyro_bias = 0.1;
+  config_.robots[0].sensors.imu.accel_scale = 0.1;
+  config_.robots[0].sensors.imu.gyro_misalignment = 0.1;
+  config_.robots[0].sensors.foot = {.scale = 0.1, .cross_talk = 0.1};
+  config_.robots[0].sensors.thermometer.offset_c = 2;
+  config_.robots[0].sensors.odometer.scale = 0.1;
   EXPECT_TRUE(live == Said({}));
   EXPECT_FALSE(live == before);
 }
@@ -194,7 +212,7 @@ TEST_F(LiveSettingsTest, OfAScriptMakeEachRunTheSame) {
     for (int step = 0; step < 200; ++step) {
       EXPECT_EQ(world->Tick({}), physics::StepHealth::kFine);
     }
-    EXPECT_EQ(world->status().script_refused, 0);
+    EXPECT_EQ(world->status(0).script_refused, 0);
     std::string states;
     for (const test::FakePort::Sample& sample : port.samples()) states += Bytes(sample.state);
     return states;
@@ -207,24 +225,24 @@ TEST_F(LiveSettingsTest, OfTheGateHoldFromTheNextStepOn) {
   StartAs("standing");
   port_.Send(Torque(0));
   Tick(100);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kFollowing);
   EXPECT_EQ(Set("gate.timeout", 0.05), "");
-  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kDamping);
   port_.Send(Torque(0), robot::Refusal::kCrc);
   Tick();
-  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kDamping);
   EXPECT_EQ(Set("gate.mode", "lenient"), "");
   port_.Send(Torque(0), robot::Refusal::kCrc);
   Tick();
-  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kFollowing);
 }
 
 TEST_F(LiveSettingsTest, HaveTheMotorsFollowCommandsBesideAMotionServiceOrNot) {
-  config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
-  config_.motion.service = "ai";
+  config_.robots[0].spec.services = {{.name = "ai_sport", .alias = "ai"}};
+  config_.robots[0].motion.service = "ai";
   Start();
   Tick();
-  ASSERT_EQ(world_->status().gate, authority::GateState::kClosed);
+  ASSERT_EQ(world_->status(0).gate, authority::GateState::kClosed);
   EXPECT_EQ(Set("motion.fight", true), "");
   port_.Send(Torque(1));
   Tick();
@@ -232,7 +250,7 @@ TEST_F(LiveSettingsTest, HaveTheMotorsFollowCommandsBesideAMotionServiceOrNot) {
   EXPECT_EQ(Set("motion.fight", "off"), "");
   port_.Send(Torque(1));
   Tick(20);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kClosed);
   EXPECT_EQ(robot().command().motors[0].tau, 0);
 }
 
@@ -275,11 +293,11 @@ class JointTest : public EmulatorTest {
     return Answered("joint", {{"joint", joint}, {"angle", angle}, {"for", seconds}});
   }
   double Angle(std::size_t motor) const { return world_->physics().robot().q()[motor]; }
-  std::string joint(std::size_t motor) const { return config_.robot.motors[motor].joint; }
+  std::string joint(std::size_t motor) const { return config_.robots[0].spec.motors[motor].joint; }
 };
 
 TEST_F(JointTest, GoesWhereItIsAskedToAtItsSpeedAndIsThenLetGo) {
-  for (robot::MotorSpec& motor : config_.robot.motors) {
+  for (robot::MotorSpec& motor : config_.robots[0].spec.motors) {
     motor.hold_kp = 200;
     motor.hold_kd = 5;
   }

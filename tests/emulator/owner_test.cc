@@ -11,19 +11,19 @@ class OwnerTest : public EmulatorTest {
  protected:
   OwnerTest() {
     port_.TellEvery(1);
-    config_.robot.services = {{.name = "sport_mode", .alias = "normal"},
-                              {.name = "ai_sport", .alias = "ai"}};
-    config_.robot.remote.chords = {{.keys = "L2+B", .does = "damp"},
-                                   {.keys = "L2+Y", .does = "zero_torque"},
-                                   {.keys = "L2+R2", .does = "debug"}};
-    config_.robot.arm_sdk.slots = {6, 7};
-    config_.start.pose = "clamped";
+    config_.robots[0].spec.services = {{.name = "sport_mode", .alias = "normal"},
+                                       {.name = "ai_sport", .alias = "ai"}};
+    config_.robots[0].spec.remote.chords = {{.keys = "L2+B", .does = "damp"},
+                                            {.keys = "L2+Y", .does = "zero_torque"},
+                                            {.keys = "L2+R2", .does = "debug"}};
+    config_.robots[0].spec.arm_sdk.slots = {6, 7};
+    config_.robots[0].start.pose = "clamped";
   }
 
   double Torque0() const { return port_.last().state.motors[0].tau; }
   std::string_view Service() const { return robot().owner().active(); }
   std::uint64_t Refused() const {
-    return world_->status()
+    return world_->status(0)
         .commands.refused[static_cast<std::size_t>(robot::Refusal::kMotionService)];
   }
 };
@@ -32,8 +32,8 @@ TEST_F(OwnerTest, TheRobotsOwnServiceHoldsTheMotorsAtTheStart) {
   Start();
   Tick(10);
   EXPECT_EQ(Service(), "normal");
-  EXPECT_STREQ(world_->status().motion_service.data(), "normal");
-  EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
+  EXPECT_STREQ(world_->status(0).motion_service.data(), "normal");
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kClosed);
   ASSERT_TRUE(port_.last().state.motion.has_value());
   EXPECT_EQ(port_.last().state.motion->id, 1001);
   EXPECT_TRUE(port_.last().state.motors[0].enabled);
@@ -53,7 +53,26 @@ TEST_F(OwnerTest, LowCmdChangesNothingWhileAServiceIsOn) {
   }
   EXPECT_EQ(Refused(), 100U);
   EXPECT_THAT(Told(EventKind::kRefused).back(), testing::HasSubstr("LowCmd (motion_service)"));
-  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 0U);
+}
+
+TEST_F(OwnerTest, SaysOnceWhichJointsTheArmsCommandTakesAndDoesNotHold) {
+  Start();
+  robot::RobotCommand arms;
+  arms.motors.assign(config_.robots[0].spec.motors.size(), {.enabled = true, .kd = 1});
+  const auto held = std::ranges::find(config_.robots[0].spec.motors, 6, &robot::MotorSpec::slot);
+  const auto unheld = std::ranges::find(config_.robots[0].spec.motors, 7, &robot::MotorSpec::slot);
+  arms.motors[static_cast<std::size_t>(held - config_.robots[0].spec.motors.begin())].kp = 40;
+  port_.SendArms(arms, 0);
+  Tick();
+  EXPECT_THAT(Told(EventKind::kUnheld), testing::IsEmpty()) << "it takes nothing yet";
+  port_.SendArms(arms, 0.5);
+  Tick();
+  port_.SendArms(arms, 0.6);
+  Tick();
+  EXPECT_THAT(Told(EventKind::kUnheld),
+              testing::ElementsAre("rt/arm_sdk: " + unheld->joint +
+                                   ": kp and tau of their commands are 0, so nothing holds them"));
 }
 
 TEST_F(OwnerTest, LowCmdIsFollowedAfterRelease) {
@@ -61,12 +80,12 @@ TEST_F(OwnerTest, LowCmdIsFollowedAfterRelease) {
   Tick(10);
   services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
   Tick();
-  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kDamping);
   EXPECT_FALSE(port_.last().state.motion.has_value());
   port_.Send(Torque(2));
   Tick();
   EXPECT_EQ(Torque0(), 2);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kFollowing);
 }
 
 TEST_F(OwnerTest, CallsOfServicesAreEvents) {
@@ -95,13 +114,13 @@ TEST_F(OwnerTest, ASelectedServiceTakesTheMotorsBack) {
 }
 
 TEST_F(OwnerTest, StartsReleasedOnRequestAndHoldsItsPoseThen) {
-  config_.motion.service = authority::kNoService;
-  config_.start.pose = "standing";
+  config_.robots[0].motion.service = authority::kNoService;
+  config_.robots[0].start.pose = "standing";
   Start();
   Tick(500);
   EXPECT_EQ(Service(), "");
-  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
-  EXPECT_NEAR(Height(), config_.robot.standing.height, 0.01);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kStart);
+  EXPECT_NEAR(Height(), config_.robots[0].spec.standing.height, 0.01);
 }
 
 TEST_F(OwnerTest, StaysReleasedOverAReset) {
@@ -117,7 +136,7 @@ TEST_F(OwnerTest, StaysReleasedOverAReset) {
 }
 
 TEST_F(OwnerTest, FightsWhereFirmwareDoes) {
-  config_.motion.fight = true;
+  config_.robots[0].motion.fight = true;
   Start();
   Tick(2);
   port_.SendEveryTick(Torque(2));
@@ -147,25 +166,25 @@ TEST_F(OwnerTest, DebugByTheRemoteReleasesToLowCmd) {
   Ask("remote.press", {{"keys", "L2+R2"}, {"for", 0.01}});  // L2+R2
   Tick();
   EXPECT_EQ(Service(), "");
-  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kDamping);
   port_.Send(Torque(2));
   Tick();
   EXPECT_EQ(Torque0(), 2);
 }
 
 TEST_F(OwnerTest, StatesAreToldByNameWithTheVendorsNumber) {
-  config_.robot.kind = robot::RobotKind::kHumanoid;
+  config_.robots[0].spec.kind = robot::RobotKind::kHumanoid;
   Start();
   Tick(10);
-  EXPECT_EQ(world_->status().motion.name, "damping");
+  EXPECT_EQ(world_->status(0).motion.name, "damping");
   EXPECT_EQ(Answered("remote.press", {{"keys", "L2+Y"}}), "");
   Tick(10);
-  EXPECT_EQ(world_->status().motion.name, "zero torque");
+  EXPECT_EQ(world_->status(0).motion.name, "zero torque");
   EXPECT_EQ(Told(EventKind::kMotion), std::vector<std::string>{"zero torque (0)"});
 }
 
 TEST_F(OwnerTest, AChordThatNoServiceHearsIsToldWithWhatBringsItBack) {
-  config_.robot.remote.chords.push_back({.keys = "L2+A", .does = "stand_up"});
+  config_.robots[0].spec.remote.chords.push_back({.keys = "L2+A", .does = "stand_up"});
   Start();
   Tick(10);
   EXPECT_EQ(Answered("remote.press", {{"keys", "L2+R2"}}), "");
@@ -181,7 +200,7 @@ TEST_F(OwnerTest, AChordThatNoServiceHearsIsToldWithWhatBringsItBack) {
 }
 
 TEST_F(OwnerTest, WhatTheServiceDoesNotDoIsToldWithTheStateItStaysIn) {
-  config_.robot.remote.chords.push_back({.keys = "L2+A", .does = "stand_up"});
+  config_.robots[0].spec.remote.chords.push_back({.keys = "L2+A", .does = "stand_up"});
   Start();
   Tick(10);
   EXPECT_EQ(Answered("remote.press", {{"keys", "L2+A"}}), "");
@@ -198,11 +217,11 @@ TEST_F(OwnerTest, ArmSdkMovesItsJointsOverTheService) {
   EXPECT_EQ(port_.last().state.motors[4].tau, 2);
   EXPECT_EQ(port_.last().state.motors[5].tau, 2);
   EXPECT_NE(Torque0(), 2);
-  EXPECT_EQ(world_->status().arm_weight, 1);
+  EXPECT_EQ(world_->status(0).arm_weight, 1);
 }
 
 TEST_F(OwnerTest, ServiceCommandsAtItsOwnRate) {
-  config_.robot.rates.service_hz = 100;
+  config_.robots[0].spec.rates.service_hz = 100;
   Start();
   Tick(2);  // it commands in the first step, then in the one after each sample
   Ask("remote.press", {{"keys", "L2+Y"}, {"for", 0.05}});

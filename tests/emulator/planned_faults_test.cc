@@ -12,7 +12,7 @@ namespace {
 using PlannedFaultsTest = EmulatorTest;
 
 TEST_F(PlannedFaultsTest, BeginAtTheirTimeAndEndAfterIt) {
-  config_.faults = {
+  config_.robots[0].faults = {
       {.component = "imu", .fault = "off"},
       {.component = "battery", .fault = "weak", .at = 0.02, .times = {.lasts = 0.01}}};
   StartAs("clamped");
@@ -28,7 +28,7 @@ TEST_F(PlannedFaultsTest, BeginAtTheirTimeAndEndAfterIt) {
 }
 
 TEST_F(PlannedFaultsTest, ComeAlthoughAllThereWereAreTakenAway) {
-  config_.faults = {{.component = "imu", .fault = "off", .at = 0.02}};
+  config_.robots[0].faults = {{.component = "imu", .fault = "off", .at = 0.02}};
   StartAs("clamped");
   Ask("fault", {{"component", "all"}, {"fault", "none"}});
   Tick(30);
@@ -36,13 +36,14 @@ TEST_F(PlannedFaultsTest, ComeAlthoughAllThereWereAreTakenAway) {
 }
 
 TEST_F(PlannedFaultsTest, AreRefusedWhereTheRobotHasNoSuchComponent) {
-  config_.faults = {{.component = "imv", .fault = "off"}};
+  config_.robots[0].faults = {{.component = "imv", .fault = "off"}};
   EXPECT_THROW(Start(), ConfigError);
 }
 
 TEST_F(PlannedFaultsTest, OfTheMainboardSilenceTheRobotUntilItHasBootedAgain) {
-  config_.robot.boot = {.states = 0.05, .services = 0.06, .motion = 0.07};
-  config_.faults = {{.component = "mainboard", .fault = "off", .at = 0.1, .times = {.lasts = 0.1}}};
+  config_.robots[0].spec.boot = {.states = 0.05, .services = 0.06, .motion = 0.07};
+  config_.robots[0].faults = {
+      {.component = "mainboard", .fault = "off", .at = 0.1, .times = {.lasts = 0.1}}};
   StartAs("clamped");
   port_.SendEveryTick(Torque(1));
   Tick(90);
@@ -57,7 +58,7 @@ TEST_F(PlannedFaultsTest, OfTheMainboardSilenceTheRobotUntilItHasBootedAgain) {
   EXPECT_EQ(port_.samples().size(), dead);
   Tick(40);
   EXPECT_GT(port_.samples().size(), dead + 5);
-  EXPECT_EQ(world_->status().power, PowerState::kOn);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOn);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ class PowerTest : public EmulatorTest {
  protected:
   PowerTest() {
     port_.TellEvery(1);
-    config_.start.pose = "clamped";
+    config_.robots[0].start.pose = "clamped";
   }
 
   const robot::RobotState& state() { return port_.last().state; }
@@ -30,10 +30,10 @@ class PowerTest : public EmulatorTest {
 };
 
 TEST_F(PowerTest, AStalledMotorGetsHotAndTripsAndSaysSo) {
-  config_.robot.motors[0].torque_limit = 140;
-  config_.robot.motor_types[0].winding_time = 1;
-  config_.robot.motor_types[0].winding_c_per_w = 0.1;
-  config_.robot.battery.internal_ohm = 0;
+  config_.robots[0].spec.motors[0].torque_limit = 140;
+  config_.robots[0].spec.motor_types[0].winding_time = 1;
+  config_.robots[0].spec.motor_types[0].winding_c_per_w = 0.1;
+  config_.robots[0].spec.battery.internal_ohm = 0;
   Start();
   Ask("fault", {{"component", "FR_joint"}, {"fault", "jammed"}});
   double warm = -1, hot = -1;
@@ -65,14 +65,14 @@ TEST_F(PowerTest, AStalledMotorGetsHotAndTripsAndSaysSo) {
 }
 
 TEST_F(PowerTest, ABatteryThatRunsLowIsToldOnceAndOneThatIsEmptyTakesTheTorque) {
-  config_.robot.battery.start_soc = 0.2001;
-  config_.robot.battery.low_soc = 0.2;
-  config_.robot.battery.capacity_ah = 0.001;
+  config_.robots[0].spec.battery.start_soc = 0.2001;
+  config_.robots[0].spec.battery.low_soc = 0.2;
+  config_.robots[0].spec.battery.capacity_ah = 0.001;
   Start();
   port_.Send(Torque(5));
   Tick(3);
   EXPECT_NEAR(state().motors[0].tau, 5, 1e-9);
-  EXPECT_EQ(world_->status().power, PowerState::kOn);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOn);
   for (int i = 0; i < 1000; ++i) {
     if (i % 50 == 0) port_.Send(Torque(5));
     Tick();
@@ -86,8 +86,8 @@ TEST_F(PowerTest, ABatteryThatRunsLowIsToldOnceAndOneThatIsEmptyTakesTheTorque) 
 }
 
 TEST_F(PowerTest, ABatteryThatHasCutOffIsOnAgainAfterAReset) {
-  config_.robot.battery.cutoff_a = 1.2;
-  config_.robot.battery.cutoff_time = 0.01;
+  config_.robots[0].spec.battery.cutoff_a = 1.2;
+  config_.robots[0].spec.battery.cutoff_time = 0.01;
   Start();
   port_.Send(Torque(20));
   Tick(100);
@@ -97,7 +97,7 @@ TEST_F(PowerTest, ABatteryThatHasCutOffIsOnAgainAfterAReset) {
   Ask("reset", {});
   Tick(2);
   EXPECT_EQ(port_.samples().size(), before + 2);
-  EXPECT_EQ(world_->status().power, PowerState::kOn);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOn);
   const std::vector<Event> told = Events(EventKind::kCutOff);
   ASSERT_EQ(told.size(), 2U);
   EXPECT_EQ(told[0].numbers[0], static_cast<double>(robot::CutOff::kOvercurrent));
@@ -111,19 +111,55 @@ TEST_F(PowerTest, SwitchedOffItIsDarkAndLimpAndDeaf) {
   EXPECT_NE(robot().torque()[0], 0);
   const std::size_t before = port_.samples().size();
   EXPECT_EQ(Answered("power", {{"on", false}}), "");
-  EXPECT_EQ(world_->status().power, PowerState::kOff);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOff);
   port_.Send(Torque(5));
   Tick(100);
   EXPECT_TRUE(port_.idle()) << "what waits now must not be followed later";
   EXPECT_EQ(robot().torque()[0], 0);
   EXPECT_EQ(port_.samples().size(), before);
-  EXPECT_TRUE(services_.suffers().off);
-  EXPECT_EQ(world_->status().commands.accepted, 1U);
+  EXPECT_TRUE(services_.suffers().absent);
+  EXPECT_EQ(world_->status(0).commands.accepted, 1U);
   EXPECT_EQ(Told(EventKind::kPower), std::vector<std::string>{"power: off"});
 }
 
+TEST_F(PowerTest, NothingThatWasUnderWayWhenItWasSwitchedOffIsFollowedLater) {
+  config_.robots[0].spec.boot = {.states = 0.01, .services = 0.02, .motion = 0.03};
+  Start();
+  Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "delayed"}, {"by", 0.2}});
+  Tick();
+  port_.Send(Torque(5));
+  Tick(5);
+  Ask("power", {{"on", false}});
+  Tick();
+  Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "none"}});
+  Tick();
+  Ask("power", {{"on", true}});
+  Tick(1000);
+  ASSERT_EQ(world_->status(0).power, robot::PowerState::kOn);
+  EXPECT_EQ(world_->status(0).commands.accepted, 0U);
+  EXPECT_EQ(robot().torque()[0], 0);
+}
+
+TEST_F(PowerTest, SwitchedOnItFollowsNoCommandThatASlowBusStillCarried) {
+  config_.robots[0].spec.boot = {.states = 0.01, .services = 0.02, .motion = 0.03};
+  config_.robots[0].spec.buses = {
+      {.name = "leg", .slots = {config_.robots[0].spec.motors[0].slot}}};
+  Start();
+  Ask("fault", {{"component", "bus.leg"}, {"fault", "slow"}, {"by", 0.05}});
+  Tick();
+  port_.Send(Torque(3));
+  Tick(2);
+  Ask("power", {{"on", false}});
+  Tick(5);
+  Ask("power", {{"on", true}});
+  for (int i = 0; i < 100; ++i) {
+    Tick();
+    ASSERT_EQ(robot().command().motors[0].tau, 0) << i;
+  }
+}
+
 TEST_F(PowerTest, SwitchedOffItTakesNothingFromItsPack) {
-  config_.robot.battery.idle_a = 2;
+  config_.robots[0].spec.battery.idle_a = 2;
   Start();
   Tick(10);
   EXPECT_GT(robot().damage().energy, 0);
@@ -138,7 +174,7 @@ TEST_F(PowerTest, SwitchedOffItTakesNothingFromItsPack) {
 }
 
 TEST_F(PowerTest, SwitchedOnItComesUpStepByStep) {
-  config_.robot.boot = {.states = 0.1, .services = 0.2, .motion = 0.3};
+  config_.robots[0].spec.boot = {.states = 0.1, .services = 0.2, .motion = 0.3};
   Start();
   Tick(50);
   Ask("power", {{"on", false}});
@@ -147,24 +183,24 @@ TEST_F(PowerTest, SwitchedOnItComesUpStepByStep) {
   Ask("power", {{"on", true}});
   Tick(95);
   EXPECT_EQ(port_.samples().size(), before);
-  EXPECT_EQ(world_->status().power, PowerState::kBooting);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kBooting);
   Tick(10);
   EXPECT_GT(port_.samples().size(), before);
   EXPECT_NEAR(static_cast<double>(state().tick_ms), 104, 2) << "counts from the switch";
-  EXPECT_TRUE(services_.suffers().off);
+  EXPECT_TRUE(services_.suffers().absent);
   Tick(100);
-  EXPECT_FALSE(services_.suffers().off);
+  EXPECT_FALSE(services_.suffers().absent);
   Tick(100);
-  EXPECT_EQ(world_->status().power, PowerState::kOn);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOn);
   EXPECT_EQ(Told(EventKind::kPower),
             (std::vector<std::string>{"power: off", "power: booting", "power: on"}));
   EXPECT_EQ(Answered("power", {{"on", true}}), "") << "it is on";
-  EXPECT_EQ(world_->status().power, PowerState::kOn);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOn);
 }
 
 TEST_F(PowerTest, TheMotionServiceStartsAtTheEndOfTheBootUnlessItWasToldNotTo) {
-  config_.robot.services = {{.name = "sport_mode", .alias = "normal"}};
-  config_.robot.boot = {.states = 0.01, .services = 0.02, .motion = 0.03};
+  config_.robots[0].spec.services = {{.name = "sport_mode", .alias = "normal"}};
+  config_.robots[0].spec.boot = {.states = 0.01, .services = 0.02, .motion = 0.03};
   Start();
   const auto boot = [&] {
     Ask("power", {{"on", false}});
@@ -184,37 +220,53 @@ TEST_F(PowerTest, TheMotionServiceStartsAtTheEndOfTheBootUnlessItWasToldNotTo) {
             (std::vector<std::string>{"motion service normal moves the motors",
                                       "no motion service is on: motors follow rt/lowcmd",
                                       "motion service normal moves the motors"}));
-  services_.Call([](authority::MotorOwner* owner) { owner->SetSilent(true); });
+  services_.Call([](authority::MotorOwner* owner) { owner->onboard().silent = true; });
   Tick();
   EXPECT_EQ(boot(), "") << "motion_switcher's SetSilent";
 }
 
+TEST_F(PowerTest, AResetBringsBackTheMotionServiceOfARobotThatWasSwitchedOffWhileItBooted) {
+  config_.robots[0].spec.services = {{.name = "sport_mode", .alias = "normal"}};
+  config_.robots[0].spec.boot = {.states = 0.1, .services = 0.2, .motion = 0.3};
+  Start();
+  Tick();
+  for (const bool on : {false, true, false}) {
+    Ask("power", {{"on", on}});
+    Tick(5);
+  }
+  ASSERT_EQ(robot().owner().active(), "");
+  Ask("reset", {});
+  Tick();
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOn);
+  EXPECT_EQ(robot().owner().active(), "normal");
+}
+
 TEST_F(PowerTest, ARunMayBeginAtTheSwitch) {
-  config_.robot.boot = {.states = 0.1, .services = 0.2, .motion = 0.3};
-  config_.start.boot = true;
+  config_.robots[0].spec.boot = {.states = 0.1, .services = 0.2, .motion = 0.3};
+  config_.robots[0].start.boot = true;
   Start();
   Tick(90);
   EXPECT_TRUE(port_.samples().empty());
-  EXPECT_EQ(world_->status().power, PowerState::kBooting);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kBooting);
   Ask("reset", {});
   Tick(3);
-  EXPECT_EQ(world_->status().power, PowerState::kOn) << "a reset has it booted";
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOn) << "a reset has it booted";
   EXPECT_FALSE(port_.samples().empty());
 }
 
 TEST_F(PowerTest, AnEmptyBatteryDoesNotSwitchOn) {
-  config_.robot.battery.start_soc = 1e-4;
-  config_.robot.battery.capacity_ah = 0.001;
+  config_.robots[0].spec.battery.start_soc = 1e-4;
+  config_.robots[0].spec.battery.capacity_ah = 0.001;
   Start();
   Tick(200);
-  ASSERT_EQ(world_->status().power, PowerState::kOff);
+  ASSERT_EQ(world_->status(0).power, robot::PowerState::kOff);
   EXPECT_EQ(Answered("power", {{"on", true}}), "the battery is empty");
-  EXPECT_EQ(world_->status().power, PowerState::kOff);
+  EXPECT_EQ(world_->status(0).power, robot::PowerState::kOff);
 }
 
 TEST_F(PowerTest, AWeakBatteryWeakensTheMotors) {
-  config_.robot.battery.most_a = 0;
-  config_.robot.motor_types[0].rated_v = 35;
+  config_.robots[0].spec.battery.most_a = 0;
+  config_.robots[0].spec.motor_types[0].rated_v = 35;
   Start();
   port_.Send(Torque(1000));
   Tick(100);
@@ -226,14 +278,14 @@ TEST_F(PowerTest, AWeakBatteryWeakensTheMotors) {
 
 // What follows from the voltage of the bus, and from nothing else, while messages still come.
 TEST_F(PowerTest, APackThatSagsTellsABusWithoutVoltageAndRecovers) {
-  config_.robot.battery.most_a = 0;
-  config_.robot.battery.cutoff_a = 0;
-  config_.robot.motor_types[0].rated_v = 35;
+  config_.robots[0].spec.battery.most_a = 0;
+  config_.robots[0].spec.battery.cutoff_a = 0;
+  config_.robots[0].spec.motor_types[0].rated_v = 35;
   Start();
   Ask("fault", {{"component", "battery"}, {"fault", "weak"}, {"by", 50}});
   port_.Send(Torque(1000));
   Tick(100);
-  ASSERT_EQ(world_->status().power, PowerState::kOn);
+  ASSERT_EQ(world_->status(0).power, robot::PowerState::kOn);
   EXPECT_LT(state().battery.voltage, robot::MotorBank::kLeastVoltage * 35);
   EXPECT_TRUE(state().motors[0].undervoltage);
   port_.Send(Torque(0));
@@ -243,8 +295,8 @@ TEST_F(PowerTest, APackThatSagsTellsABusWithoutVoltageAndRecovers) {
 }
 
 TEST_F(PowerTest, FrictionWarmsACasing) {
-  config_.robot.motor_types[0].casing_time = 0.5;
-  config_.robot.motor_types[0].casing_c_per_w = 50;
+  config_.robots[0].spec.motor_types[0].casing_time = 0.5;
+  config_.robots[0].spec.motor_types[0].casing_c_per_w = 50;
   Start();
   const double rest = 25;
   Ask("fault", {{"component", "FR_joint"}, {"fault", "dragging"}, {"by", 2}});

@@ -14,7 +14,7 @@ TEST_F(SamplesTest, AreTakenInTheStepsThatThePortAsksFor) {
   Tick(4000);  // two seconds
   EXPECT_NEAR(world_->time(), 2, 1e-9);
   ASSERT_EQ(port_.samples().size(), 1000U);
-  EXPECT_EQ(world_->status().published, 1000U);
+  EXPECT_EQ(world_->status(0).published, 1000U);
   for (std::int64_t i = 0; const test::FakePort::Sample& sample : port_.samples()) {
     EXPECT_EQ(sample.state.tick_ms, 2 * i++);
   }
@@ -22,7 +22,7 @@ TEST_F(SamplesTest, AreTakenInTheStepsThatThePortAsksFor) {
 
 TEST_F(SamplesTest, AreEachOfANewInstant) {
   port_.TellEvery(1);
-  config_.robot.lying.height = 5;  // it falls, so that height tells the time
+  config_.robots[0].spec.lying.height = 5;  // it falls, so that height tells the time
   Start();
   Tick(500);
   ASSERT_EQ(port_.samples().size(), 500U);
@@ -38,15 +38,15 @@ TEST_F(SamplesTest, BeginAtTheStart) {
   ASSERT_EQ(port_.samples().size(), 1U);
   const test::FakePort::Sample& first = port_.last();
   EXPECT_EQ(first.state.tick_ms, 0);
-  EXPECT_EQ(first.state.base.p_WB.z(), config_.robot.lying.height);
+  EXPECT_EQ(first.state.base.p_WB.z(), config_.robots[0].spec.lying.height);
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(first.state.motors[i].q, config_.robot.lying.q[i]);
+    EXPECT_EQ(first.state.motors[i].q, config_.robots[0].spec.lying.q[i]);
     EXPECT_EQ(first.state.motors[i].dq, 0);
   }
 }
 
 TEST_F(SamplesTest, StopUnderSilenceWhileTheRobotMovesOn) {
-  config_.robot.lying.height = 5;
+  config_.robots[0].spec.lying.height = 5;
   Start();
   Tick(10);
   const std::size_t before = port_.samples().size();
@@ -55,8 +55,8 @@ TEST_F(SamplesTest, StopUnderSilenceWhileTheRobotMovesOn) {
   Tick(100);
   EXPECT_EQ(port_.samples().size(), before);
   EXPECT_LT(Height(), height - 0.05);
-  EXPECT_TRUE(world_->status().silenced);
-  EXPECT_EQ(world_->status().published, before);
+  EXPECT_TRUE(world_->status(0).silenced);
+  EXPECT_EQ(world_->status(0).published, before);
 
   robot().Silence(false);
   Tick(10);
@@ -70,7 +70,7 @@ TEST_F(SamplesTest, StopUnderSilenceWhileCommandsAreTaken) {
   port_.Send(Torque(1));
   Tick();
   EXPECT_TRUE(port_.idle());
-  EXPECT_EQ(world_->status().commands.accepted, 1U);
+  EXPECT_EQ(world_->status(0).commands.accepted, 1U);
 }
 
 TEST_F(SamplesTest, AreTheMomentToTellOnceOfWhatThePortWentOnInSpiteOf) {

@@ -57,22 +57,21 @@ TEST_F(RecordingDeskTest, KnowsWhetherARecordingIsOn) {
 TEST_F(RecordingDeskTest, AnswersTheRequestOnceAStatusCouldShowThatTheOrderIsDone) {
   Inbox inbox;
   dut_.Open(false);
-  const auto later = std::chrono::steady_clock::now() + std::chrono::hours(1);
-  auto answer = inbox.Put(*ReadRequest("record.start", {{"file", "a.mcap"}}), later);
-  inbox.Drain({}, [this](Request* request, Reply* reply) -> std::optional<Answer> {
+  auto asked = inbox.Put(*ReadRequest("record.start", {{"file", "a.mcap"}}));
+  inbox.Drain([this](Request* request, Reply* reply) -> std::optional<Answer> {
     EXPECT_TRUE(request->waits());
     EXPECT_TRUE(dut_.Start(request->file(), request->on("overwrite")));
     dut_.Keep(std::move(*reply));
     return std::nullopt;
   });
-  EXPECT_EQ(answer->wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  EXPECT_EQ(asked->answer.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
   dut_.GiveAnswer();
-  EXPECT_EQ(answer->wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  EXPECT_EQ(asked->answer.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
   dut_.Done(false, Error{"no room"});
-  EXPECT_EQ(answer->wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  EXPECT_EQ(asked->answer.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
   dut_.GiveAnswer();
-  ASSERT_EQ(answer->wait_for(std::chrono::seconds(0)), std::future_status::ready);
-  EXPECT_EQ(answer->get().why(), "no room");
+  ASSERT_EQ(asked->answer.wait_for(std::chrono::seconds(0)), std::future_status::ready);
+  EXPECT_EQ(asked->answer.get().why(), "no room");
 }
 
 }  // namespace

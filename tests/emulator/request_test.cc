@@ -53,8 +53,8 @@ TEST(RequestTableTest, HasNamesOfItsOwnAndFieldsThatFit) {
     for (const Field& field : row.fields) {
       EXPECT_TRUE(keys.insert(field.key).second) << row.name << "." << field.key;
       EXPECT_FALSE(field.does.empty()) << row.name << "." << field.key;
-      if (field.kind == FieldKind::kBody || field.kind == FieldKind::kName) ++name_fields;
-      if (field.kind == FieldKind::kJson) ++json_fields;
+      if (field.type == &types::kBody || field.type == &types::kName) ++name_fields;
+      if (field.type == &types::kJson) ++json_fields;
     }
     EXPECT_LE(name_fields, 1) << row.name;  // a request has room for one name and one JSON
     EXPECT_LE(json_fields, 1) << row.name;
@@ -272,7 +272,7 @@ TEST(RequestTest, TellsWhatIsMissingUnknownOrOutOfRange) {
        "pose: expected one of lying, standing, hanging, clamped, got \"standin\"; did you "
        "mean 'standing'?"},
       {"reset", R"({"pose": 1})", "pose: expected one of lying, standing, hanging, clamped, got 1"},
-      {"reset", R"({"hard": true})", R"(unknown key "hard"; valid: pose)"},
+      {"reset", R"({"hard": true})", R"(unknown key "hard"; valid: pose, all)"},
       {"clamp", R"({"on": 1})", "on: expected true or false, got 1"},
       {"clamp", "{}", "on: missing; expected true or false"},
       {"clamp", R"({"on": "yes"})", "on: expected true or false, got \"yes\""},

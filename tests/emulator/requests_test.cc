@@ -37,8 +37,8 @@ TEST_F(RequestsTest, AreCarriedOutInOrderInOneTick) {
   Ask("clamp", false);
   Ask("crane.attach");
   Tick();
-  EXPECT_FALSE(world_->status().clamped);
-  EXPECT_TRUE(world_->status().crane_attached);
+  EXPECT_FALSE(world_->status(0).clamped);
+  EXPECT_TRUE(world_->status(0).crane_attached);
 }
 
 TEST_F(RequestsTest, LowerTheRobotToTheGround) {
@@ -46,7 +46,7 @@ TEST_F(RequestsTest, LowerTheRobotToTheGround) {
   Ask("crane.lower", 0.2);
   Tick(3000);
   EXPECT_NEAR(Height(), 0.8, 0.005);
-  EXPECT_NEAR(world_->status().crane_length, config_.crane.length + 0.2, 1e-9);
+  EXPECT_NEAR(world_->status(0).crane_length, config_.robots[0].crane.length + 0.2, 1e-9);
   Ask("crane.lower", -0.1);
   Tick(2000);
   EXPECT_NEAR(Height(), 0.9, 0.005);
@@ -58,8 +58,8 @@ TEST_F(RequestsTest, ReleaseTheRobot) {
   Ask("crane.release");
   Tick(200);
   EXPECT_NEAR(Height(), 0.8, 0.01);  // 10 / 2 · 0.2²
-  EXPECT_EQ(world_->status().crane_tension, 0);
-  EXPECT_FALSE(world_->status().crane_attached);
+  EXPECT_EQ(world_->status(0).crane_tension, 0);
+  EXPECT_FALSE(world_->status(0).crane_attached);
 }
 
 TEST_F(RequestsTest, CatchAFallingRobot) {
@@ -69,7 +69,7 @@ TEST_F(RequestsTest, CatchAFallingRobot) {
   Ask("crane.attach");
   Tick(3000);
   EXPECT_NEAR(Height(), 0.8, 0.1);
-  EXPECT_NEAR(world_->status().crane_tension, 60, 1);
+  EXPECT_NEAR(world_->status(0).crane_tension, 60, 1);
 }
 
 TEST_F(RequestsTest, ClampTheBaseWhereItIs) {
@@ -90,13 +90,13 @@ TEST_F(RequestsTest, ResetTheRobotWhileTimeGoesOn) {
   Ask("crane.release");
   port_.Send(Torque(1));
   Tick(300);
-  ASSERT_EQ(world_->status().gate, authority::GateState::kDamping);
+  ASSERT_EQ(world_->status(0).gate, authority::GateState::kDamping);
   Ask("reset");
   Tick();
   EXPECT_EQ(Height(), 1);
-  EXPECT_TRUE(world_->status().crane_attached);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
-  EXPECT_EQ(world_->status().commands.accepted, 1U);
+  EXPECT_TRUE(world_->status(0).crane_attached);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status(0).commands.accepted, 1U);
   EXPECT_EQ(world_->step(), 301);
   EXPECT_EQ(port_.last().state.tick_ms, 300);
 }
@@ -106,13 +106,13 @@ TEST_F(RequestsTest, ResetTheRobotToTheirPoseAndToTheStartPoseWithoutOne) {
   Tick();
   EXPECT_EQ(Answered("reset", "hanging"), "");
   EXPECT_NEAR(Height(), 1, 1e-3);
-  EXPECT_TRUE(world_->status().crane_attached);
+  EXPECT_TRUE(world_->status(0).crane_attached);
   EXPECT_EQ(Answered("reset", "clamped"), "");
-  EXPECT_FALSE(world_->status().crane_attached);
-  EXPECT_TRUE(world_->status().clamped);
+  EXPECT_FALSE(world_->status(0).crane_attached);
+  EXPECT_TRUE(world_->status(0).clamped);
   EXPECT_EQ(Answered("reset", "lying"), "");
   EXPECT_NEAR(Height(), 0.06, 0.01);
-  EXPECT_FALSE(world_->status().clamped);
+  EXPECT_FALSE(world_->status(0).clamped);
   EXPECT_EQ(Answered("reset"), "");
   EXPECT_NEAR(Height(), 0.3, 0.01);
 }
@@ -120,21 +120,21 @@ TEST_F(RequestsTest, ResetTheRobotToTheirPoseAndToTheStartPoseWithoutOne) {
 // A robot that began limp is held up as one that began standing, by command too where commands
 // come late.
 TEST_F(RequestsTest, ResetToStandingKeepsTheRobotStanding) {
-  config_.robot.dynamics.delay = 0.005;
+  config_.robots[0].spec.dynamics.delay = 0.005;
   StartAs("lying");
   Tick(10);
   Ask("reset", "standing");
   Tick(1000);
   EXPECT_NEAR(Height(), 0.3, 0.02);
-  EXPECT_EQ(robot().command().motors[0].kp, config_.robot.motors[0].hold_kp);
+  EXPECT_EQ(robot().command().motors[0].kp, config_.robots[0].spec.motors[0].hold_kp);
   Ask("reset");
   Tick(1000);
   EXPECT_LT(Height(), 0.1);
 }
 
 TEST_F(RequestsTest, ResetNoHumanoidToStandingWithNobodyToBalanceIt) {
-  config_.robot.kind = robot::RobotKind::kHumanoid;
-  config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
+  config_.robots[0].spec.kind = robot::RobotKind::kHumanoid;
+  config_.robots[0].spec.services = {{.name = "ai_sport", .alias = "ai"}};
   StartAs("clamped");
   Tick();
   EXPECT_EQ(Answered("reset", "standing"), "");
@@ -152,13 +152,13 @@ TEST_F(RequestsTest, SetThePaceThatWhoeverTicksKeepsTo) {
   Ask("pause");
   world_->Attend({});
   EXPECT_TRUE(world_->pace().stands_still());
-  EXPECT_TRUE(world_->status().paused);
+  EXPECT_TRUE(world_->status(0).paused);
   EXPECT_EQ(world_->step(), 0);
 
   Ask("step", 2);
   world_->Attend({});
   for (int left = 2; left > 0; --left) {
-    EXPECT_EQ(world_->status().steps_left, left);
+    EXPECT_EQ(world_->status(0).steps_left, left);
     EXPECT_FALSE(world_->pace().stands_still());
     Tick();
   }
@@ -168,7 +168,7 @@ TEST_F(RequestsTest, SetThePaceThatWhoeverTicksKeepsTo) {
   Ask("resume");
   world_->Attend({});
   EXPECT_FALSE(world_->pace().stands_still());
-  EXPECT_EQ(world_->status().speed, 0.5);
+  EXPECT_EQ(world_->status(0).speed, 0.5);
 }
 
 TEST_F(RequestsTest, StepOnlyAPausedRobotAndForgetStepsWithThePause) {
@@ -184,28 +184,28 @@ TEST_F(RequestsTest, StepOnlyAPausedRobotAndForgetStepsWithThePause) {
 TEST_F(RequestsTest, ForStepsAreAnsweredWhenTheStepsAreMade) {
   Start();
   Ask("pause");
-  auto answer = inbox_.Put(test::RequestOf("step", 2), Inbox::WallTime::max());
+  auto asked = inbox_.Put(test::RequestOf("step", 2));
   const auto answered = [&] {
     world_->Attend({});
-    return answer->wait_for(std::chrono::seconds{0}) == std::future_status::ready;
+    return asked->answer.wait_for(std::chrono::seconds{0}) == std::future_status::ready;
   };
   EXPECT_FALSE(answered());
   Tick();
   EXPECT_FALSE(answered());
   Tick();
   EXPECT_TRUE(answered());
-  EXPECT_TRUE(answer->get());
+  EXPECT_TRUE(asked->answer.get());
 }
 
 TEST_F(RequestsTest, ForStepsThatAPauseForgetsAreRefused) {
   Start();
   Ask("pause");
-  auto answer = inbox_.Put(test::RequestOf("step", 2), Inbox::WallTime::max());
+  auto asked = inbox_.Put(test::RequestOf("step", 2));
   world_->Attend({});
   Ask("pause");
   world_->Attend({});
   world_->Attend({});
-  EXPECT_EQ(answer->get().why(), "the robot was paused before all steps were made");
+  EXPECT_EQ(asked->answer.get().why(), "the robot was paused before all steps were made");
 }
 
 TEST_F(RequestsTest, ForStepsThatNeedNotBeAwaitedAreAnsweredAtOnce) {
@@ -218,26 +218,26 @@ TEST_F(RequestsTest, BetweenTicksActInTheNext) {
   StartAs("hanging");
   Ask("crane.release");
   world_->Attend({});
-  EXPECT_FALSE(world_->status().crane_attached);
+  EXPECT_FALSE(world_->status(0).crane_attached);
   EXPECT_TRUE(port_.samples().empty());
 }
 
 TEST_F(RequestsTest, ShowWhatActsOnTheRobot) {
   StartAs("clamped");
   Tick();
-  EXPECT_TRUE(world_->pushes().empty());
-  EXPECT_TRUE(world_->drags().empty());
+  EXPECT_TRUE(world_->pushes(0).empty());
+  EXPECT_TRUE(world_->drags(0).empty());
   Ask("push", {{"force", {1, 2, 3}}, {"for", 0.002}});
   Ask("drag", {{"body", "base"}, {"at", {0, 0, 0.1}}, {"to", {0, 0, 1.2}}, {"for", 0.001}});
   Tick();
-  ASSERT_EQ(world_->pushes().size(), 1U);
-  EXPECT_EQ(world_->pushes()[0].force_W, Eigen::Vector3d(1, 2, 3));
-  ASSERT_EQ(world_->drags().size(), 1U);
-  EXPECT_NEAR(world_->drags()[0].p_WP.z(), 1.1, 1e-3);
-  EXPECT_NEAR(world_->drags()[0].force_W.z(), 60, 1);  // 6 kg · 100 1/s² · 0.1 m
+  ASSERT_EQ(world_->pushes(0).size(), 1U);
+  EXPECT_EQ(world_->pushes(0)[0].force_W, Eigen::Vector3d(1, 2, 3));
+  ASSERT_EQ(world_->drags(0).size(), 1U);
+  EXPECT_NEAR(world_->drags(0)[0].p_WP.z(), 1.1, 1e-3);
+  EXPECT_NEAR(world_->drags(0)[0].force_W.z(), 60, 1);  // 6 kg · 100 1/s² · 0.1 m
   Tick(2);
-  EXPECT_TRUE(world_->pushes().empty());
-  EXPECT_TRUE(world_->drags().empty());
+  EXPECT_TRUE(world_->pushes(0).empty());
+  EXPECT_TRUE(world_->drags(0).empty());
 }
 
 TEST_F(RequestsTest, AreRefusedForWhatCannotBeDraggedOrPushed) {
@@ -266,7 +266,7 @@ TEST_F(RequestsTest, TakeTheTorqueOfALimpMotorAndGiveItBack) {
 }
 
 TEST_F(RequestsTest, KeepAJammedJointFromTurningWhateverPushesIt) {
-  config_.robot.battery.internal_ohm = 0;  // gives what the joints take that turn
+  config_.robots[0].spec.battery.internal_ohm = 0;  // gives what the joints take that turn
   StartAs("clamped");
   port_.SendEveryTick(Torque(10));
   Answered("fault", {{"component", "RR_joint"}, {"fault", "jammed"}});
@@ -281,7 +281,7 @@ TEST_F(RequestsTest, KeepAJammedJointFromTurningWhateverPushesIt) {
 }
 
 TEST_F(RequestsTest, GiveFaultsToMotorsOfEveryGroupAndToNoOthers) {
-  config_.robot = test::FixtureRobotWithHand();
+  config_.robots[0].spec = test::FixtureRobotWithHand();
   StartAs("clamped");
   EXPECT_EQ(Answered("fault", {{"component", "neck_roll_joint"}, {"fault", "limp"}}), "");
   EXPECT_EQ(Answered("fault", {{"component", "FR_joint"}, {"fault", "jammed"}}), "");
@@ -298,7 +298,7 @@ TEST_F(RequestsTest, ADragEndsWithAReset) {
   Ask("drag", {{"body", "base"}, {"to", {5, 0, 1}}, {"for", 60}});
   Ask("reset");
   Tick();
-  EXPECT_TRUE(world_->drags().empty());
+  EXPECT_TRUE(world_->drags(0).empty());
 }
 
 TEST_F(RequestsTest, AreEventsWhenTheyAreCarriedOut) {

@@ -7,7 +7,7 @@ namespace understudy::emulator {
 namespace {
 
 // Conditions that hold when the test says so.
-class SaidConditions final : public Conditions {
+class SaidConditions final : public ScriptConditions {
  public:
   explicit SaidConditions(const std::vector<bool>* hold) : hold_(hold) {}
 
@@ -37,13 +37,13 @@ TEST_F(ScriptTest, AnEventWaitsForItsCondition) {
   Play({Event("s:1", "A", {.at = 0.005, .when = 0, .condition = "a"})});
   holds_[0] = true;
   Tick(3);
-  EXPECT_EQ(world_->status().script_done, 0U);  // not before its time
+  EXPECT_EQ(world_->status(0).script_done, 0U);  // not before its time
   holds_[0] = false;
   Tick(7);
-  EXPECT_EQ(world_->status().script_done, 0U);
+  EXPECT_EQ(world_->status(0).script_done, 0U);
   holds_[0] = true;
   Tick();
-  EXPECT_EQ(world_->status().script_done, 1U);
+  EXPECT_EQ(world_->status(0).script_done, 1U);
   EXPECT_THAT(Told(EventKind::kScriptWait), testing::ElementsAre("script: waited 0.005 s for 'a'"));
   EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s:1"));
 }
@@ -56,14 +56,14 @@ TEST_F(ScriptTest, WhatComesAfterAnEventCountsFromItsEnd) {
         Event("s:4", "Y", {.after = true})});
   holds_[1] = true;
   Tick(20);
-  EXPECT_EQ(world_->status().script_done, 0U);
+  EXPECT_EQ(world_->status(0).script_done, 0U);
   holds_[0] = true;
   Tick();
-  EXPECT_EQ(world_->status().script_done, 1U);
+  EXPECT_EQ(world_->status(0).script_done, 1U);
   Tick(9);
-  EXPECT_EQ(world_->status().script_done, 1U);
+  EXPECT_EQ(world_->status(0).script_done, 1U);
   Tick();
-  EXPECT_EQ(world_->status().script_done, 4U);  // the others at once, in their order
+  EXPECT_EQ(world_->status(0).script_done, 4U);  // the others at once, in their order
   EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s:1", "s:2", "s:3", "s:4"));
 }
 
@@ -72,17 +72,17 @@ TEST_F(ScriptTest, AnEventThatHasWaitedTooLongIsRefusedAndTheScriptGoesOn) {
   Play({Event("s:1", "A", {.when = 0, .condition = "a > 1", .within = 0.01}),
         Event("s:2", "B", {.at = 0.005, .after = true})});
   Tick(10);
-  EXPECT_EQ(world_->status().script_done, 0U);
+  EXPECT_EQ(world_->status(0).script_done, 0U);
   Tick();
-  EXPECT_EQ(world_->status().script_done, 1U);
-  EXPECT_EQ(world_->status().script_refused, 1U);
+  EXPECT_EQ(world_->status(0).script_done, 1U);
+  EXPECT_EQ(world_->status(0).script_refused, 1U);
   EXPECT_THAT(Told(EventKind::kScriptRefused),
-              testing::ElementsAre("script: s:1: waited 0.01 s in vain: a > 1"));
+              testing::ElementsAre("script: s:1: timed out after 0.01 s: a > 1"));
   EXPECT_THAT(Told(EventKind::kScriptWait),
-              testing::ElementsAre("script: waited 0.010 s in vain for 'a > 1'"));
+              testing::ElementsAre("script: timed out after 0.010 s waiting for 'a > 1'"));
   Tick(5);
-  EXPECT_EQ(world_->status().script_done, 2U);
-  EXPECT_EQ(world_->status().script_refused, 1U);
+  EXPECT_EQ(world_->status(0).script_done, 2U);
+  EXPECT_EQ(world_->status(0).script_refused, 1U);
   EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s:2"));
 }
 
@@ -92,8 +92,8 @@ TEST_F(ScriptTest, AConditionThatHoldsAtTheLastInstantIsInTime) {
   Tick(10);
   holds_[0] = true;
   Tick();
-  EXPECT_EQ(world_->status().script_done, 1U);
-  EXPECT_EQ(world_->status().script_refused, 0U);
+  EXPECT_EQ(world_->status(0).script_done, 1U);
+  EXPECT_EQ(world_->status(0).script_refused, 0U);
 }
 
 TEST_F(ScriptTest, SequencesWaitBesideEachOtherAndTheStatusTellsOfTheFirst) {
@@ -102,14 +102,14 @@ TEST_F(ScriptTest, SequencesWaitBesideEachOtherAndTheStatusTellsOfTheFirst) {
         Event("s:2", "B", {.when = 1, .condition = "b"}), Event("s:3", "X", {.at = 0.005}),
         Event("s:4", "Y", {.at = 0.5, .when = 2})});
   Tick(20);
-  Status status = world_->status();
+  Status status = world_->status(0);
   EXPECT_EQ(status.script_done, 1U);
   EXPECT_EQ(status.script_waiting, 2U);  // the last has not begun
   EXPECT_STREQ(status.script_where.data(), "s:1");
   EXPECT_STREQ(status.script_waits_for.data(), "a");
   holds_[0] = true;
   Tick();
-  status = world_->status();
+  status = world_->status(0);
   EXPECT_EQ(status.script_waiting, 1U);
   EXPECT_STREQ(status.script_where.data(), "s:2");
   EXPECT_STREQ(status.script_waits_for.data(), "b");
@@ -121,17 +121,17 @@ TEST_F(ScriptTest, GivesEachRequestToTheTickOfItsTime) {
   world_->Play({{.at = 0.3, .request = test::RequestOf("clamp", true), .where = ""},
                 {.at = 0.5, .request = test::RequestOf("clamp", false), .where = ""}});
   Tick(300);
-  EXPECT_FALSE(world_->status().clamped);
+  EXPECT_FALSE(world_->status(0).clamped);
   Tick();
-  EXPECT_TRUE(world_->status().clamped);
-  EXPECT_EQ(world_->status().script_done, 1U);
+  EXPECT_TRUE(world_->status(0).clamped);
+  EXPECT_EQ(world_->status(0).script_done, 1U);
   Tick(200);
-  EXPECT_FALSE(world_->status().clamped);
-  EXPECT_EQ(world_->status().script_done, 2U);
+  EXPECT_FALSE(world_->status(0).clamped);
+  EXPECT_EQ(world_->status(0).script_done, 2U);
 }
 
 TEST_F(ScriptTest, CallsServices) {
-  config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
+  config_.robots[0].spec.services = {{.name = "ai_sport", .alias = "ai"}};
   StartAs("clamped");
   const auto call = [](const char* service) {
     return test::RequestOf("service.call",
@@ -143,7 +143,7 @@ TEST_F(ScriptTest, CallsServices) {
   EXPECT_EQ(robot().owner().active(), "ai");
   Tick();
   EXPECT_EQ(robot().owner().active(), "");
-  EXPECT_EQ(world_->status().script_refused, 0U);
+  EXPECT_EQ(world_->status(0).script_refused, 0U);
   Tick(10);
   EXPECT_THAT(Told(EventKind::kScriptRefused),
               testing::ElementsAre("script: s.yaml:4: nothing serves 'vui'"));
@@ -153,7 +153,7 @@ TEST_F(ScriptTest, CountsWhatTheRobotRefusesAndSaysWhere) {
   StartAs("standing");
   world_->Play({{.at = 0, .request = test::RequestOf("crane.lower", 1), .where = "s.yaml:3"}});
   Tick();
-  EXPECT_EQ(world_->status().script_refused, 1U);
+  EXPECT_EQ(world_->status(0).script_refused, 1U);
   EXPECT_THAT(Told(EventKind::kScriptRefused),
               testing::ElementsAre("script: s.yaml:3: the robot does not hang from the crane"));
   EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s.yaml:3"));
@@ -185,19 +185,19 @@ TEST_F(ScriptTest, PausesStepsDragsAndLetsGo) {
                  .where = ""},
                 {.at = 0.012, .request = test::RequestOf("let_go"), .where = ""}});
   Tick(11);
-  EXPECT_TRUE(world_->status().paused);
-  EXPECT_EQ(world_->drags().size(), 1u);
+  EXPECT_TRUE(world_->status(0).paused);
+  EXPECT_EQ(world_->drags(0).size(), 1u);
   EXPECT_EQ(world_->pace().steps_left, 4);  // the tick that was told made one
   Tick(4);
   EXPECT_TRUE(world_->pace().stands_still());
-  EXPECT_TRUE(world_->drags().empty());
+  EXPECT_TRUE(world_->drags(0).empty());
 }
 
 class PushTest : public EmulatorTest {
  protected:
   // Upward speed of a falling robot of 6 kg after so many ticks, pushed up by 60 N from the first.
   double SpeedAfter(int ticks, double seconds) {
-    config_.start.pose = "hanging";
+    config_.robots[0].start.pose = "hanging";
     Start();
     Ask("crane.release");
     Ask("push", {{"force", {0, 0, 60}}, {"for", seconds}});
@@ -231,7 +231,7 @@ TEST_F(PushTest, OfABodyThatIsNotThereIsRefused) {
 }
 
 TEST_F(PushTest, EndsWithAReset) {
-  config_.start.pose = "clamped";
+  config_.robots[0].start.pose = "clamped";
   Start();
   Ask("push", {{"force", {60, 0, 0}}, {"for", 100}});
   Ask("reset");

@@ -2,7 +2,6 @@
 #include <filesystem>
 
 #include "config/load.h"
-#include "physics/world_model.h"
 #include "tests/emulator/emulator_test.h"
 #include "tests/emulator/state_bytes.h"
 
@@ -13,15 +12,11 @@ class SensedTest : public EmulatorTest {
  protected:
   SensedTest() {
     config_ = config::LoadConfig({.robot = "go2"}, kRoot);
-    config_.start.pose = "standing";
+    config_.robots[0].start.pose = "standing";
   }
 
   void StartGo2() {
-    physics::World world(
-        physics::LoadWorldModel({{config_.robot, kRoot / "models" / config_.robot.model}},
-                                kRoot / "models/scene/flat.xml", config_.physics.timestep),
-        {{config_.robot}});
-    world_ = MakeIn(std::move(world), &port_, &inbox_, &services_);
+    world_ = MakeIn(assembly::MakePhysics(&config_).world, &port_, &inbox_, &services_);
   }
   void Run(int ticks) {
     StartGo2();
@@ -38,23 +33,23 @@ class SensedTest : public EmulatorTest {
 TEST_F(SensedTest, AMotionServiceActsOnTheNoiseOfItsSensors) {
   Run(21);
   const auto first = command_;
-  config_.sensors.seed = 2;
+  config_.robots[0].sensors.seed = 2;
   Run(21);
   EXPECT_NE(command_, first);
 }
 
 TEST_F(SensedTest, IdealSensorsTellAMotionServiceTheTruth) {
-  config_.sensors = {.quantise = false, .noise = false};
+  config_.robots[0].sensors = {.quantise = false, .noise = false};
   Run(21);
   const auto first = command_;
-  config_.sensors.seed = 2;
+  config_.robots[0].sensors.seed = 2;
   Run(21);
   EXPECT_EQ(command_, first);
 }
 
 TEST_F(SensedTest, AMotionServiceKnowsItsJointsAndHowFastTheyTurn) {
-  config_.start.pose = "lying";
-  config_.robot.motion.quadruped.stands_up = false;
+  config_.robots[0].start.pose = "lying";
+  config_.robots[0].spec.motion.quadruped.stands_up = false;
   StartGo2();
   Tick(500);
   services_.Call([](authority::MotorOwner* owner) { owner->Ask(authority::goal::StandUp{}); });
@@ -73,10 +68,10 @@ TEST_F(SensedTest, AMotionServiceKnowsItsJointsAndHowFastTheyTurn) {
 }
 
 TEST_F(SensedTest, NothingIsSampledForAServiceThatIsOff) {
-  config_.motion.service = authority::kNoService;
+  config_.robots[0].motion.service = authority::kNoService;
   Run(21);
   const std::string first = state_;
-  config_.robot.rates.service_hz = 250;
+  config_.robots[0].spec.rates.service_hz = 250;
   Run(21);
   EXPECT_EQ(state_, first);
 }
@@ -101,14 +96,14 @@ class ErringSensorsTest : public EmulatorTest {
 TEST_F(ErringSensorsTest, ADriveAndTheMessagesShareTheWrongZeroOfAnEncoder) {
   Hold();
   const double right = q(0), told = robot().sampled().motors[0].q;
-  config_.robot.motors[0].zero_error = 0.1;
+  config_.robots[0].spec.motors[0].zero_error = 0.1;
   Hold();
   EXPECT_NEAR(q(0) - right, -0.1, 0.02);
   EXPECT_NEAR(robot().sampled().motors[0].q, told, 0.02);
 }
 
 TEST_F(ErringSensorsTest, AHeadingDriftsWithTheBiasAndIsRightAgainAfterAReset) {
-  config_.sensors.imu = {.gyro_bias = 0.05, .attitude = sensors::AttitudeSource::kFilter};
+  config_.robots[0].sensors.imu = {.gyro_bias = 0.05, .attitude = sensors::AttitudeSource::kFilter};
   StartAs("clamped");
   Tick();
   EXPECT_NEAR(Yaw(), 0, 1e-3);
@@ -120,6 +115,23 @@ TEST_F(ErringSensorsTest, AHeadingDriftsWithTheBiasAndIsRightAgainAfterAReset) {
   Tick(2);
   EXPECT_NEAR(Yaw(), 0, 1e-3);
   EXPECT_NEAR(robot().sampled().imu.w_WI_I.z(), bias, 1e-6) << "it is the same unit";
+}
+
+TEST_F(ErringSensorsTest, AUnitThatWakesUpAfterAFallKnowsHowItLies) {
+  config_.robots[0].sensors.imu = {.attitude = sensors::AttitudeSource::kFilter};
+  config_.robots[0].spec.boot = {.states = 0.01, .services = 0.02, .motion = 0.03};
+  StartAs("standing");
+  Tick(10);
+  Ask("power", {{"on", false}});
+  Ask("drag", {{"body", "base"}, {"at", {0, 0.1, 0}}, {"to", {0, 0, 1}}, {"for", 5}});
+  Tick(4000);
+  const physics::RobotBody& body = world_->physics().robot();
+  ASSERT_GT(body.tilt(), 0.25) << "it hangs on its side";
+  Ask("power", {{"on", true}});
+  Tick(20);
+  const Eigen::Vector3d up = robot().sampled().imu.R_WI * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d true_up = body.Imu().R_WI * Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR(std::acos(std::min(1.0, up.dot(true_up))), 0, 0.02);
 }
 
 }  // namespace

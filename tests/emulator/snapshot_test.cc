@@ -12,7 +12,7 @@ namespace {
 class SnapshotTest : public EmulatorTest {
  protected:
   Snapshot Shown(SnapshotParts parts = kAllSnapshotParts) {
-    Snapshot snapshot = world_->MakeSnapshot();
+    Snapshot snapshot = world_->MakeSnapshot(0);
     snapshot.parts = parts;
     world_->Show(&snapshot);
     return snapshot;
@@ -53,8 +53,9 @@ TEST_F(SnapshotTest, HasTheForcesOnTheRobotWhateverItsGroundIsMadeOf) {
   const std::filesystem::path scene = folder.Write("scene.xml", R"(<mujoco><worldbody>
       <geom type="box" pos="0 0 -0.5" size="5 5 0.5" contype="0" conaffinity="1"/>
       </worldbody></mujoco>)");
-  config_.start.pose = "standing";
-  const std::vector<physics::PlacedRobot> robots{{config_.robot, config_.robot.model}};
+  config_.robots[0].start.pose = "standing";
+  const std::vector<physics::PlacedRobot> robots{
+      {config_.robots[0].spec, config_.robots[0].spec.model}};
   world_ = MakeIn({physics::LoadWorldModel(robots, scene, config_.physics.timestep), robots},
                   &port_, &inbox_);
   Tick(20);
@@ -73,8 +74,9 @@ TEST_F(SnapshotTest, HasTheCentreOfMassOfTheRobotAlone) {
       <geom type="plane" size="0 0 1" contype="0" conaffinity="1"/>
       <body name="rock" pos="5 0 0.5"><geom type="box" size="0.5 0.5 0.5" mass="1000"/></body>
       </worldbody></mujoco>)");
-  config_.start.pose = "standing";
-  const std::vector<physics::PlacedRobot> robots{{config_.robot, config_.robot.model}};
+  config_.robots[0].start.pose = "standing";
+  const std::vector<physics::PlacedRobot> robots{
+      {config_.robots[0].spec, config_.robots[0].spec.model}};
   world_ = MakeIn({physics::LoadWorldModel(robots, scene, config_.physics.timestep), robots},
                   &port_, &inbox_);
   Tick();
@@ -110,7 +112,7 @@ TEST_F(SnapshotTest, TellsThatItIsPaused) {
 }
 
 TEST_F(SnapshotTest, NamesTheTopicsThatTheRobotHas) {
-  config_.robot.arm_sdk.slots = {6, 7};
+  config_.robots[0].spec.arm_sdk.slots = {6, 7};
   StartAs("standing");  // without a motion service
   port_.SendArms(Torque(1), 1);
   port_.SendUser(Torque(1));
@@ -120,7 +122,7 @@ TEST_F(SnapshotTest, NamesTheTopicsThatTheRobotHas) {
   ASSERT_EQ(snapshot.command_topics.size(), robot::kFirstHandTopic);
   EXPECT_EQ(snapshot.command_topics[robot::kArmSdkTopic], "rt/arm_sdk");
   EXPECT_EQ(snapshot.command_topics[robot::kUserLowCmdTopic], "");  // it has none
-  const Status status = world_->status();
+  const Status status = world_->status(0);
   EXPECT_EQ(CommandCounts(status, robot::kArmSdkTopic)
                 .refused[static_cast<std::size_t>(robot::Refusal::kNoMotionService)],
             1u);

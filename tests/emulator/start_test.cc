@@ -9,11 +9,11 @@ class StartTest : public EmulatorTest {};
 
 TEST_F(StartTest, DampedLiesWhereItIsPut) {
   StartAs("lying");
-  EXPECT_EQ(Height(), config_.robot.lying.height);
+  EXPECT_EQ(Height(), config_.robots[0].spec.lying.height);
   Tick(3000);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kStart);
   EXPECT_NEAR(Height(), 0.05, 0.01);  // on its trunk
-  EXPECT_LT(world_->status().tilt, 0.05);
+  EXPECT_LT(world_->status(0).tilt, 0.05);
   for (const double rate : world_->physics().robot().dq()) EXPECT_NEAR(rate, 0, 0.01);
   for (const robot::MotorReading& motor : port_.last().state.motors) EXPECT_TRUE(motor.enabled);
 }
@@ -23,12 +23,12 @@ TEST_F(StartTest, StandingHoldsItsPose) {
   for (int i = 0; i < 3000; ++i) {
     Tick();
     ASSERT_NEAR(Height(), 0.3, 0.005) << i;
-    ASSERT_LT(world_->status().tilt, 0.02) << i;
+    ASSERT_LT(world_->status(0).tilt, 0.02) << i;
   }
   for (const double q : world_->physics().robot().q()) EXPECT_NEAR(q, 0, 0.01);
   const auto& force = port_.last().state.foot_force;
   EXPECT_NEAR(std::accumulate(force.begin(), force.end(), 0.0), 60, 0.5);
-  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status(0).gate, authority::GateState::kStart);
 }
 
 TEST_F(StartTest, HangingHangsStillFromTheFirstStep) {
@@ -36,10 +36,10 @@ TEST_F(StartTest, HangingHangsStillFromTheFirstStep) {
   for (int i = 0; i < 3000; ++i) {
     Tick();
     ASSERT_NEAR(Height(), 1, 0.001) << i;
-    ASSERT_NEAR(world_->status().crane_tension, 60, 0.5) << i;
+    ASSERT_NEAR(world_->status(0).crane_tension, 60, 0.5) << i;
   }
-  EXPECT_TRUE(world_->status().crane_attached);
-  EXPECT_FALSE(world_->status().clamped);
+  EXPECT_TRUE(world_->status(0).crane_attached);
+  EXPECT_FALSE(world_->status(0).clamped);
 }
 
 TEST_F(StartTest, ClampedStaysWhereItIs) {
@@ -47,37 +47,37 @@ TEST_F(StartTest, ClampedStaysWhereItIs) {
   for (int i = 0; i < 3000; ++i) {
     Tick();
     ASSERT_NEAR(Height(), 1, 0.001) << i;
-    ASSERT_LT(world_->status().tilt, 0.001) << i;
+    ASSERT_LT(world_->status(0).tilt, 0.001) << i;
   }
-  EXPECT_TRUE(world_->status().clamped);
-  EXPECT_FALSE(world_->status().crane_attached);
+  EXPECT_TRUE(world_->status(0).clamped);
+  EXPECT_FALSE(world_->status(0).crane_attached);
 }
 
 TEST_F(StartTest, IsTheRobotsOwnWhenNoneIsAskedFor) {
-  config_.robot.default_start = "clamped";
+  config_.robots[0].spec.default_start = "clamped";
   StartAs("");
-  EXPECT_TRUE(world_->status().clamped);
+  EXPECT_TRUE(world_->status(0).clamped);
 }
 
 TEST_F(StartTest, IsTheOneAskedForBeforeTheRobotsOwn) {
-  config_.robot.default_start = "clamped";
+  config_.robots[0].spec.default_start = "clamped";
   StartAs("standing");
-  EXPECT_FALSE(world_->status().clamped);
-  EXPECT_EQ(Height(), config_.robot.standing.height);
+  EXPECT_FALSE(world_->status(0).clamped);
+  EXPECT_EQ(Height(), config_.robots[0].spec.standing.height);
 }
 
 TEST_F(StartTest, PutsEachJointWhereThePoseSays) {
-  config_.robot.hanging.q = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+  config_.robots[0].spec.hanging.q = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
   StartAs("clamped");
   Tick();
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(port_.last().state.motors[i].q, config_.robot.hanging.q[i]);
+    EXPECT_EQ(port_.last().state.motors[i].q, config_.robots[0].spec.hanging.q[i]);
   }
 }
 
 TEST_F(StartTest, HasAStatusBeforeTheFirstTick) {
   StartAs("hanging");
-  const Status status = world_->status();
+  const Status status = world_->status(0);
   EXPECT_EQ(status.steps, 0);
   EXPECT_EQ(status.time, 0);
   EXPECT_EQ(status.published, 0U);

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <optional>
 
+#include <mujoco/mujoco.h>
+
 #include "bus/participant.h"
 #include "bus/reader.h"
 #include "bus/writer.h"
@@ -15,6 +17,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/new_domain.h"
 #include "tests/support/requests.h"
+#include "tests/support/temporary_folder.h"
 #include "wire/message_crc.h"
 #include "wire/port.h"
 #include "wire/topics.h"
@@ -33,12 +36,13 @@ struct Spoken {
   Spoken(const std::string& name, int domain)
       : config(Clamped(name)),
         participant("lo", domain),
-        port(participant, config.robot, config.physics.timestep),
-        services(participant, services::ServicesOf(config.robot.apis), [](const std::string&) {}) {}
+        port(participant, config.robots[0].spec, config.physics.timestep),
+        services(participant, &port.outlets(), services::ServicesOf(config.robots[0].spec.apis),
+                 [](const std::string&) {}) {}
 
   RobotParts parts() {
-    return {.spec = config.robot,
-            .settings = config::RobotSettingsOf(config),
+    return {.spec = config.robots[0].spec,
+            .settings = config::RobotSettingsOf(config.robots[0]),
             .port = &port,
             .services = &services};
   }
@@ -110,14 +114,18 @@ class TwoRobotsTest : public test::MujocoTest {
 
   physics::World MakePhysics() {
     const auto placed = [](const Spoken& robot, const char* prefix, double x) {
-      return physics::PlacedRobot{.spec = robot.config.robot,
-                                  .file = kRoot / "models" / robot.config.robot.model,
+      return physics::PlacedRobot{.spec = robot.config.robots[0].spec,
+                                  .file = kRoot / "models" / robot.config.robots[0].spec.model,
                                   .prefix = prefix,
                                   .x = x};
     };
     const std::vector<physics::PlacedRobot> robots = {placed(go2_, "go2_", 0),
                                                       placed(g1_, "g1_", 2)};
-    return {physics::LoadWorldModel(robots, kRoot / "models/scene/flat.xml", 0.001), robots};
+    const auto scene = folder_.Write(
+        "box.xml", "<mujoco><include file='" + (kRoot / "models/scene/flat.xml").string() +
+                       "'/><worldbody><body name='box' pos='5 5 .1'><freejoint/>"
+                       "<geom type='box' size='.1 .1 .1' mass='1'/></body></worldbody></mujoco>");
+    return {physics::LoadWorldModel(robots, scene, 0.001), robots};
   }
 
   void Tick(int times) {
@@ -141,6 +149,7 @@ class TwoRobotsTest : public test::MujocoTest {
     return ::testing::AssertionFailure() << "never";
   }
 
+  test::TemporaryFolder folder_;
   Spoken go2_{"go2", test::NewDomain()};
   Spoken g1_{"g1", test::NewDomain()};
   Inbox inbox_;
@@ -180,7 +189,7 @@ TEST_F(TwoRobotsTest, AreEachSpokenToOnAParticipantOfItsOwn) {
   ASSERT_TRUE(Until(
       [&] {
         g1_client_.Reach(kG1WaistYaw, 0.5F,
-                         static_cast<std::uint8_t>(g1_.config.robot.mode_machine));
+                         static_cast<std::uint8_t>(g1_.config.robots[0].spec.mode_machine));
       },
       [&] { return std::abs(g1_client_.state->motor_state[kG1WaistYaw].q - 0.5) < 0.1; }));
 }
@@ -195,12 +204,12 @@ TEST_F(TwoRobotsTest, AreResetOneByOne) {
 
 TEST_F(TwoRobotsTest, AreEachAskedByTheirNumberAndSayHowTheyAre) {
   const auto answered = [&](std::string_view name, const nlohmann::json& values) {
-    auto answer = inbox_.Put(test::RequestOf(name, values), Inbox::WallTime::max());
+    auto asked = inbox_.Put(test::RequestOf(name, values));
     Tick(1);
-    return answer->get().why();
+    return asked->answer.get().why();
   };
-  const auto clamped = [&](std::size_t robot) { return world_.status({}, robot).clamped; };
-  const auto hangs = [&](std::size_t robot) { return world_.status({}, robot).crane_attached; };
+  const auto clamped = [&](std::size_t robot) { return world_.status(robot).clamped; };
+  const auto hangs = [&](std::size_t robot) { return world_.status(robot).crane_attached; };
   EXPECT_EQ(answered("crane.attach", {{"robot", 1}}), "");
   EXPECT_FALSE(hangs(0));
   EXPECT_TRUE(hangs(1));
@@ -211,8 +220,64 @@ TEST_F(TwoRobotsTest, AreEachAskedByTheirNumberAndSayHowTheyAre) {
   EXPECT_FALSE(hangs(1));
   EXPECT_TRUE(clamped(1));
   EXPECT_EQ(answered("push", {{"force", {0, 5, 0}}, {"robot", 1}}), "");
-  EXPECT_EQ(world_.pushes()[0].body, world_.physics().robot(1).Body("pelvis"));
+  EXPECT_EQ(world_.pushes(1)[0].body, world_.physics().robot(1).Body("pelvis"));
   EXPECT_EQ(answered("clamp", {{"on", false}, {"robot", 2}}), "robot: the world has no robot 2");
+}
+
+TEST_F(TwoRobotsTest, KeepTheForcesOnThemWhenTheOtherIsReset) {
+  const auto ask = [&](std::string_view name, const nlohmann::json& values) {
+    auto asked = inbox_.Put(test::RequestOf(name, values));
+    Tick(1);
+    EXPECT_TRUE(asked->answer.get());
+  };
+  ask("push", {{"force", {0, 5, 0}}, {"for", 60}, {"robot", 1}});
+  ask("push", {{"force", {0, 5, 0}}, {"for", 60}});
+  ask("drag", {{"body", "base_link"}, {"to", {0, 0, 1}}, {"for", 60}});
+  // The other's, by its name in the world.
+  ask("drag", {{"body", "g1_pelvis"}, {"to", {2, 0, 1}}, {"for", 60}});
+  ask("reset", {{"robot", 0}});
+  EXPECT_TRUE(world_.pushes(0).empty());
+  EXPECT_TRUE(world_.drags(0).empty());
+  EXPECT_EQ(world_.pushes(1).size(), 1U);
+  EXPECT_EQ(world_.drags(1).size(), 1U);
+  ask("let_go", {{"robot", 0}});
+  EXPECT_EQ(world_.drags(1).size(), 1U);
+  ask("let_go", {{"robot", 1}});
+  EXPECT_TRUE(world_.drags(1).empty());
+}
+
+TEST_F(TwoRobotsTest, AreResetTogetherWithTheObjectsOfTheSceneOrOneAlone) {
+  const auto ask = [&](std::string_view name, const nlohmann::json& values) {
+    auto asked = inbox_.Put(test::RequestOf(name, values));
+    Tick(1);
+    return asked->answer.get().why();
+  };
+  const physics::World& physics = world_.physics();
+  const int box = mj_name2id(&physics.model(), mjOBJ_BODY, "box");
+  const auto place = [&] { return physics.data().xpos[3 * box]; };
+  const auto clamped = [&](std::size_t robot) { return world_.status(robot).clamped; };
+  for (const int robot : {0, 1}) EXPECT_EQ(ask("clamp", {{"on", false}, {"robot", robot}}), "");
+  EXPECT_EQ(ask("push", {{"body", "box"}, {"force", {40, 0, 0}}, {"for", 0.1}}), "");
+  Tick(600);
+  const double pushed = place();
+  ASSERT_GT(pushed, 5.2);
+
+  EXPECT_EQ(ask("reset", {{"robot", 1}}), "");
+  EXPECT_FALSE(clamped(0));
+  EXPECT_TRUE(clamped(1));
+  EXPECT_NEAR(place(), pushed, 0.05) << "the robots' world has it in common";
+
+  EventRing::Reader events(&world_.events());
+  for (Event event; events.Next(&event);) {
+  }
+  EXPECT_EQ(ask("reset", {{"all", true}}), "");
+  EXPECT_TRUE(clamped(0));
+  EXPECT_NEAR(place(), 5, 1e-3);
+  std::vector<int> robots;
+  for (Event event; events.Next(&event);) {
+    if (event.kind == EventKind::kRequest) robots.push_back(event.robot);
+  }
+  EXPECT_EQ(robots, (std::vector<int>{0, 1})) << "the events of each robot have it";
 }
 
 TEST_F(TwoRobotsTest, AreEachSeenInASnapshotOfTheirWorld) {

@@ -1,18 +1,21 @@
 #include "exec/child_process.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>  // mkstemp, setenv
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "forked.h"
+#include "tests/support/eventually.h"
 #include "tests/support/temporary_folder.h"
 
 namespace understudy::exec {
@@ -63,6 +66,16 @@ void Handle(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
   ::sigaction(signal, &action, nullptr);
+}
+
+// The word after the name in /proc/PID/stat: 0 is its state, 1 its parent, 2 its process group.
+std::string StatOf(const std::string& pid, int word) {
+  std::ifstream file("/proc/" + pid + "/stat");
+  std::string text, found;
+  std::getline(file, text);
+  std::istringstream words(text.substr(std::min(text.rfind(')') + 1, text.size())));
+  for (int i = 0; i <= word; ++i) words >> found;
+  return found;
 }
 
 // An executable file with the given first bytes.
@@ -238,10 +251,11 @@ TEST(ChildProcessTest, KillsAStubbornProgramAfterTheGrace) {
 }
 
 TEST(ChildProcessTest, TerminatesAStoppedProgram) {
-  ChildProcess child(Shell("trap 'exit 3' TERM; kill -STOP $$; exit 1"));
+  NinePipe nine;
+  ChildProcess child(Shell("trap 'exit 3' TERM; echo $$ >&9; kill -STOP $$; exit 1"));
   child.Release();
-  siginfo_t stopped{};
-  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child.pid()), &stopped, WSTOPPED | WNOWAIT), 0);
+  const std::string pid = ReadLine(nine.out());
+  ASSERT_TRUE(test::Eventually([&] { return StatOf(pid, 0) == "T"; }));
   child.Terminate(kLong);  // SIGTERM alone would wait for somebody to continue it
   EXPECT_EQ(child.Wait(), 3);
 }
@@ -257,17 +271,46 @@ TEST(ChildProcessTest, EndsTheProgramWhenItGoesOutOfScope) {
   EXPECT_TRUE(ReachesEnd(nine.out()));
 }
 
-TEST(ChildProcessTest, EndsTheProgramWhenTheParentIsKilled) {
+// Whether all that a shell has started is gone once our process has been killed.
+bool IsGoneWithItsParent(const std::string& script) {
   NinePipe nine;
-  Forked parent([] {
-    ChildProcess child(Shell("trap '' TERM; echo ready >&9; exec sleep 60"));
+  Forked parent([&script] {
+    ChildProcess child(Shell(script));
     child.Release();
     return std::to_string(child.Wait());
   });
   nine.CloseOurs();
-  ASSERT_EQ(ReadLine(nine.out()), "ready");
+  EXPECT_EQ(ReadLine(nine.out()), "ready");
   parent.Kill();
+  return ReachesEnd(nine.out());
+}
+
+TEST(ChildProcessTest, EndsTheProgramWhenTheParentIsKilled) {
+  EXPECT_TRUE(IsGoneWithItsParent("trap '' TERM; echo ready >&9; exec sleep 60"));
+}
+
+TEST(ChildProcessTest, EndsWhatTheCommandLeaves) {
+  NinePipe nine;
+  ChildProcess child(Shell("(trap '' TERM; sh -c 'sleep 60; :') & (setsid sleep 60 &) & exit 5"));
+  nine.CloseOurs();
+  child.Release();
+  EXPECT_EQ(child.Wait(), 5);
   EXPECT_TRUE(ReachesEnd(nine.out()));
+}
+
+TEST(ChildProcessTest, LeavesWhatTheCommandLeavesItsOwnWayOut) {
+  NinePipe nine;
+  ChildProcess child(
+      Shell("sh -c 'trap \"echo bye >&9; exit\" TERM; echo on >&9; sleep 60 & wait' & "
+            "sleep 60"));
+  child.Release();
+  ASSERT_EQ(ReadLine(nine.out()), "on");
+  child.Terminate(kLong);
+  EXPECT_EQ(ReadLine(nine.out()), "bye");
+}
+
+TEST(ChildProcessTest, EndsTheChildrenOfTheProgramWhenTheParentIsKilled) {
+  EXPECT_TRUE(IsGoneWithItsParent("(trap '' TERM; sleep 60; :) & echo ready >&9; exec sleep 60"));
 }
 
 TEST(ChildProcessTest, KeepsTheAnswerOfPollAndSignalsNobodyAfterwards) {
@@ -280,10 +323,10 @@ TEST(ChildProcessTest, KeepsTheAnswerOfPollAndSignalsNobodyAfterwards) {
 }
 
 TEST(ChildProcessTest, StaysInOurProcessGroup) {
-  ChildProcess child(Shell("exec sleep 60"));
-  EXPECT_EQ(::getpgid(child.pid()), ::getpgrp());
+  NinePipe nine;
+  ChildProcess child(Shell("echo $$ >&9; exec sleep 60"));
   child.Release();
-  EXPECT_EQ(::getpgid(child.pid()), ::getpgrp());
+  EXPECT_EQ(StatOf(ReadLine(nine.out()), 2), std::to_string(::getpgrp()));
 }
 
 TEST(ChildProcessTest, HasTheMaskFromBeforeItWasForked) {

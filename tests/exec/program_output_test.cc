@@ -67,6 +67,18 @@ TEST(ProgramOutputTest, PassesOnWhatItReadsByteForByte) {
   EXPECT_EQ(Hear("printf 'a\\tb\\nc\\r\\nd'", {"x"}).passed_on, "a\tb\nc\r\nd");
 }
 
+TEST(ProgramOutputTest, KeepsTheLastLineThatIsNotBlank) {
+  const Redirected redirected;
+  ProgramOutput errors({}, STDERR_FILENO);
+  ChildProcess child({"sh", "-c", "echo first >&2; printf 'last\n \n' >&2"}, {},
+                     errors.descriptor());
+  errors.Start();
+  child.Release();
+  child.Wait();
+  errors.Finish();
+  EXPECT_EQ(errors.last_line(), "last");
+}
+
 TEST(ProgramOutputTest, FindsATextOnceInALine) {
   const Heard heard = Hear("echo is ready ready; echo not; echo ready", {"ready", "never"});
   EXPECT_THAT(heard.found, testing::ElementsAre("ready", "ready"));

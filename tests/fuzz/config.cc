@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 #include "config/load.h"
-#include "config/yaml_document.h"
+#include "schema/yaml_document.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_robot.h"
@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const config::RobotFile tiny = TinyRobot();
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    config::ParseYaml(text, "fuzz.yaml");
+    schema::ParseYaml(text, "fuzz.yaml");
     const std::string path = file.Write({data, size});
     const config::Config read = config::LoadConfig(tiny, {.files = {path}}, UNDERSTUDY_SOURCE_DIR);
     config::PrintConfig(read, false);

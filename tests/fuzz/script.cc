@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "config/yaml_document.h"
 #include "judge/formula.h"
+#include "schema/yaml_document.h"
 
 namespace {
 
@@ -31,7 +31,7 @@ void Ask(const signals::Conditions& conditions, double value) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);
-    const config::YamlValue document = config::ParseYaml(text, "fuzz.yaml");
+    const schema::YamlValue document = schema::ParseYaml(text, "fuzz.yaml");
     if (!script::IsScript(document)) return 0;
     const script::Script read = script::ReadScript(document, signals::RunningNames());
     Ask(read.conditions, judge::kUnknown);

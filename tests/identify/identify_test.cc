@@ -31,7 +31,7 @@ TEST_F(IdentifyTest, RefusesTooShortARecording) {
 TEST_F(IdentifyTest, RefusesAnUnknownParameterWithTheNearest) {
   const config::Config known = Known("go2");
   const Replay replay = ReplayOf(known);
-  const Basis basis(known.robot, replay.bench(), false);
+  const Basis basis(known.robots[0].spec, replay.bench(), false);
   try {
     basis.Parameters({"amature"}, replay.bench());
     FAIL();

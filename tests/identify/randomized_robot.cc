@@ -1,12 +1,8 @@
 #include "tests/identify/randomized_robot.h"
 
-#include <stdexcept>
-
+#include "assembly/simulation.h"
 #include "config/load.h"
-#include "config/model_files.h"
-#include "emulator/world.h"
 #include "physics/bench.h"
-#include "run/make_world.h"
 #include "tests/support/fake_port.h"
 #include "tests/support/fake_services.h"
 
@@ -26,33 +22,41 @@ config::Config ConfigOf(const std::string& robot, std::vector<std::string> sets)
 config::Config Known(const std::string& robot) { return ConfigOf(robot, {}); }
 
 Replay ReplayOf(const config::Config& config) {
-  return {{.spec = config.robot, .file = kRoot / "models" / config.robot.model},
+  return {{.spec = config.robots[0].spec, .file = kRoot / "models" / config.robots[0].spec.model},
           kRoot / "models" / "scene" / "flat.xml",
           config.physics.timestep,
           2};
 }
 
-Result IdentifiedBy(const Drawn& drawn, const Options& options, bool by_joint) {
+Identification IdentifiedBy(const Drawn& drawn, const Options& options, bool by_joint) {
   const config::Config known = Known("go2");
   const Replay replay = ReplayOf(known);
-  const Basis basis(known.robot, replay.bench(), by_joint);
+  const Basis basis(known.robots[0].spec, replay.bench(), by_joint);
   return *Identify(replay, basis, {&drawn.samples, 1}, {}, options, [](const std::string&) {});
 }
 
 Drawn Draw(const std::string& robot, int seed, const ExcitationSpec& excitation) {
-  config::Config config = ConfigOf(
-      robot, {"randomization.seed=" + std::to_string(seed), "randomization.armature=[0.7, 1.5]",
-              "randomization.damping=[0.6, 1.6]", "randomization.frictionloss=[0.7, 1.4]",
-              "randomization.delay=[0, 0.004]", "sensors.seed=" + std::to_string(seed)});
+  test::FakePort port;
+  test::FakeServices services;
+  assembly::Simulation simulation(
+      ConfigOf(robot,
+               {"randomization.seed=" + std::to_string(seed), "randomization.armature=[0.7, 1.5]",
+                "randomization.damping=[0.6, 1.6]", "randomization.frictionloss=[0.7, 1.4]",
+                "randomization.delay=[0, 0.004]", "sensors.seed=" + std::to_string(seed)}),
+      [&](std::size_t) {
+        return assembly::Ports{&port, &services};
+      });
+  const config::Config& config = simulation.config();
   const config::Config known = Known(robot);
-  const physics::Bench bench({.spec = known.robot, .file = kRoot / "models" / known.robot.model},
-                             kRoot / "models" / "scene" / "flat.xml", known.physics.timestep);
-  run::MadeWorld made = run::MakeWorld(&config);
+  const physics::Bench bench(
+      {.spec = known.robots[0].spec, .file = kRoot / "models" / known.robots[0].spec.model},
+      kRoot / "models" / "scene" / "flat.xml", known.physics.timestep);
   Drawn drawn{.samples = {.file = "drawn " + std::to_string(seed)}};
-  const std::vector<robot::MotorSpec>& motors = config.robot.motors;
-  for (const robot::Drawn& one : made.draws.values) {
+  const std::vector<robot::MotorSpec>& motors = config.robots[0].spec.motors;
+  for (const robot::Drawn& one : simulation.draws().values) {
     if (one.quantity == "delay") {  // acts in whole steps
-      const double steps = std::round(config.robot.dynamics.delay / config.physics.timestep);
+      const double steps =
+          std::round(config.robots[0].spec.dynamics.delay / config.physics.timestep);
       drawn.truth["delay"] = steps * config.physics.timestep;
     }
     for (std::size_t i = 0; i < motors.size(); ++i) {
@@ -66,18 +70,9 @@ Drawn Draw(const std::string& robot, int seed, const ExcitationSpec& excitation)
     }
   }
 
-  test::FakePort port;
-  test::FakeServices services;
-  emulator::Inbox inbox;
-  emulator::World world(
-      std::move(made.world), config::WorldSettingsOf(config),
-      std::vector<emulator::RobotParts>{{.spec = config.robot,
-                                         .settings = config::RobotSettingsOf(config),
-                                         .port = &port,
-                                         .services = &services}},
-      &inbox);
+  const emulator::World& world = simulation.world();
   const physics::RobotBody& body = world.physics().robot();
-  const Excitation program(config.robot, excitation, body.q(), body.ranges());
+  const Excitation program(config.robots[0].spec, excitation, body.q(), body.ranges());
   const auto ticks = std::lround(program.seconds() / config.physics.timestep);
   for (long i = 0; i < ticks; ++i) {
     const double t = static_cast<double>(i) * config.physics.timestep;
@@ -86,7 +81,7 @@ Drawn Draw(const std::string& robot, int seed, const ExcitationSpec& excitation)
       drawn.samples.command_times.push_back(t);
       drawn.samples.commands.push_back(program.At(t));
     }
-    if (world.Tick({}) != physics::StepHealth::kFine) throw std::logic_error("diverged");
+    simulation.Step();
   }
   drawn.samples.q.resize(static_cast<Eigen::Index>(motors.size()),
                          static_cast<Eigen::Index>(port.samples().size()));

@@ -27,7 +27,7 @@ config::Config Known(const std::string& robot);
 Replay ReplayOf(const config::Config& config);
 
 // What is found of it; a quarter of the windows is held out.
-Result IdentifiedBy(const Drawn& drawn, const Options& options, bool by_joint);
+Identification IdentifiedBy(const Drawn& drawn, const Options& options, bool by_joint);
 
 inline const ExcitationSpec kShortExcitation{
     .amplitude = 0.4, .from_hz = 0.3, .to_hz = 6, .seconds = 6};

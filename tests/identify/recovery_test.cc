@@ -1,5 +1,6 @@
 // Finds what was drawn, and refuses what the data cannot tell. UNDERSTUDY_IDENTIFY_SEEDS is how
-// many seeds are drawn, 2 unless it says otherwise; docs/identify.md tells of 20.
+// many seeds are drawn, 1 unless it says otherwise; docs/reference/identify.md has the result
+// of 20.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "config/load.h"
-#include "config/yaml_document.h"
 #include "identify/identify.h"
+#include "schema/yaml_document.h"
 #include "tests/identify/randomized_robot.h"
 #include "tests/support/mujoco_test.h"
 
@@ -23,10 +24,10 @@ using testing::HasSubstr;
 
 int Seeds() {
   const char* const given = std::getenv("UNDERSTUDY_IDENTIFY_SEEDS");
-  return given == nullptr ? 2 : std::stoi(given);
+  return given == nullptr ? 1 : std::stoi(given);
 }
 
-const Found& Of(const Result& result, const std::string& name) {
+const Found& Of(const Identification& result, const std::string& name) {
   for (const Found& found : result.found) {
     if (found.name == name) return found;
   }
@@ -56,7 +57,7 @@ class RecoveryTest : public test::MujocoTest, public testing::WithParamInterface
 
 TEST_P(RecoveryTest, FindsWhatWasDrawnWithinItsErrorBars) {
   const Drawn drawn = Draw("go2", GetParam(), kShortExcitation);
-  const Result result = IdentifiedBy(drawn, {}, true);
+  const Identification result = IdentifiedBy(drawn, {}, true);
   ASSERT_EQ(result.found.size(), 37u);
   int outside = 0;
   for (const Found& found : result.found) {
@@ -78,7 +79,7 @@ class DrawnTest : public test::MujocoTest {};
 
 TEST_F(DrawnTest, FindsADrawnDelayAndArmatureWithinThreeStandardErrors) {
   const Drawn drawn = Draw("go2", 1, kShortExcitation);
-  const Result result =
+  const Identification result =
       IdentifiedBy(drawn, {.parameters = {"armature", "damping", "frictionloss", "delay"}}, true);
   for (const char* name :
        {"armature FR_calf", "damping RL_hip", "frictionloss FL_thigh", "delay"}) {
@@ -92,23 +93,24 @@ TEST_F(DrawnTest, FindsADrawnDelayAndArmatureWithinThreeStandardErrors) {
   // What it writes is what a run takes.
   const config::Config known = Known("go2");
   const Replay replay = ReplayOf(known);
-  const Basis basis(known.robot, replay.bench(), true);
+  const Basis basis(known.robots[0].spec, replay.bench(), true);
   const config::Config fitted = config::LoadConfig(
       {.robot = "go2",
        .files = {},
-       .trees = {config::ParseYaml(ResultYaml(result, basis, {&drawn.samples, 1}), "fitted.yaml")},
+       .trees = {schema::ParseYaml(ResultYaml(result, basis, {&drawn.samples, 1}), "fitted.yaml")},
        .sets = {}},
       UNDERSTUDY_SOURCE_DIR);
-  EXPECT_NEAR(fitted.robot.dynamics.delay, Of(result, "delay").value, 1e-6);
-  EXPECT_NEAR(fitted.robot.dynamics.fitted.at(2).armature, Of(result, "armature FR_calf").value,
-              1e-6);
+  EXPECT_NEAR(fitted.robots[0].spec.dynamics.delay, Of(result, "delay").value, 1e-6);
+  EXPECT_NEAR(fitted.robots[0].spec.dynamics.fitted.at(2).armature,
+              Of(result, "armature FR_calf").value, 1e-6);
 }
 
 TEST_F(DrawnTest, DoesNotTellKdFromDampingWhereOneKdWasCommanded) {
   ExcitationSpec excitation = kShortExcitation;
   excitation.seconds = 2;
   const Drawn drawn = Draw("go2", 2, excitation);
-  const Result result = IdentifiedBy(drawn, {.parameters = {"damping", "kd_share"}}, false);
+  const Identification result =
+      IdentifiedBy(drawn, {.parameters = {"damping", "kd_share"}, .hold_out = 0.6}, false);
   for (const char* joint : {"hip", "thigh", "calf"}) {
     const Found& refused = Of(result, std::string("kd_share ") + joint);
     EXPECT_FALSE(refused.told);
@@ -122,7 +124,8 @@ TEST_F(DrawnTest, RefusesWhatAJointThatDoesNotMoveCannotTell) {
   ExcitationSpec excitation = kShortExcitation;
   excitation.motors = {3};
   const Drawn drawn = Draw("go2", 3, excitation);
-  const Result result = IdentifiedBy(drawn, {.parameters = {"damping"}}, true);
+  const Identification result =
+      IdentifiedBy(drawn, {.parameters = {"damping"}, .hold_out = 0.6}, true);
   EXPECT_TRUE(Of(result, "damping FL_hip").told);
   const Found& still = Of(result, "damping FR_calf");
   EXPECT_FALSE(still.told);

@@ -107,7 +107,7 @@ TEST(WindowsOfTest, StartWhereTheRateIsKnownFromBothSides) {
   samples.q = Eigen::MatrixXd::Zero(1, 100);
   samples.command_times = {0};
   samples.commands = {{.motors = {{}}}};
-  const std::vector<Window> windows = WindowsOf(samples, 0.05, 0.001);
+  const std::vector<ReplayWindow> windows = WindowsOf(samples, 0.05, 0.001);
   ASSERT_EQ(windows.size(), 4U);
   EXPECT_EQ(windows[0].first, 5U);
   EXPECT_EQ(windows[1].first, 28U);

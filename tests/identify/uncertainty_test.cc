@@ -20,7 +20,7 @@ class UncertaintyTest : public test::MujocoTest {
  protected:
   // Windows of one joint state after the first, all of whose residuals are of one size.
   Uncertainty Of(const std::vector<double>& slopes, const std::vector<double>& residuals) const {
-    std::vector<Window> windows(slopes.size(), Window{.count = 2});
+    std::vector<ReplayWindow> windows(slopes.size(), ReplayWindow{.count = 2});
     const auto motors = static_cast<Eigen::Index>(replay_.motors());
     const auto rows = motors * static_cast<Eigen::Index>(slopes.size());
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(rows, 1);

@@ -193,14 +193,14 @@ std::vector<Claim> AllClaims() {
 }
 
 TEST(JudgeTest, DecidesEarlyOnlyWhatTheRestCannotChange) {
-  std::mt19937 dice(2);
+  std::mt19937 randomizer(2);
   std::uniform_real_distribution<double> value(-1, 1);
   int decided = 0;
   for (int round = 0; round < 200; ++round) {
     Judge judge(AllClaims());
     std::vector<Outcome> early(judge.size(), Outcome::kUndecided);
     for (Time at = 0; at < 40; ++at) {
-      const double signal = value(dice);
+      const double signal = value(randomizer);
       judge.Take(at, std::span(&signal, 1));
       for (std::size_t i = 0; i < judge.size(); ++i) {
         const Outcome now = judge.verdict(i).outcome;
@@ -221,12 +221,12 @@ TEST(JudgeTest, DecidesEarlyOnlyWhatTheRestCannotChange) {
 }
 
 TEST(JudgeTest, GivesTheSameVerdictForSamplesThatChangeNothing) {
-  std::mt19937 dice(3);
+  std::mt19937 randomizer(3);
   std::uniform_real_distribution<double> value(-1, 1);
   for (int round = 0; round < 50; ++round) {
     Judge sparse(AllClaims()), dense(AllClaims());
     for (Time at = 0; at < 40; at += 2) {
-      const double signal = value(dice);
+      const double signal = value(randomizer);
       sparse.Take(at, std::span(&signal, 1));
       dense.Take(at, std::span(&signal, 1));
       if (at < 38) dense.Take(at + 1, std::span(&signal, 1));
@@ -239,6 +239,21 @@ TEST(JudgeTest, GivesTheSameVerdictForSamplesThatChangeNothing) {
       EXPECT_EQ(a.worth.margin, b.worth.margin) << i;
     }
   }
+}
+
+// A run that somebody ends early has not shown what was to hold to its end.
+TEST(JudgeTest, DoesNotPassWhatWasToHoldToTheEndOfARunThatIsCut) {
+  const auto outcomes = [](bool cut) {
+    Judge judge({{.formula = Above(1)}, {.op = Operator::kEventually, .formula = Above(3)}});
+    const double low = 2, high = 4;
+    judge.Take(0, std::span(&low, 1));
+    judge.Take(1, std::span(&high, 1));
+    judge.Take(2, std::span(&low, 1));
+    judge.Finish(cut);
+    return std::pair(judge.verdict(0).outcome, judge.verdict(1).outcome);
+  };
+  EXPECT_EQ(outcomes(false), std::pair(Outcome::kPassed, Outcome::kPassed));
+  EXPECT_EQ(outcomes(true), std::pair(Outcome::kNotJudged, Outcome::kPassed));
 }
 
 TEST(JudgeTest, IgnoresASampleThatIsNotLater) {

@@ -112,14 +112,14 @@ TEST(StreamTest, KnowsAnInstantOnlyWhenAllThatItLooksAheadToHasCome) {
 }
 
 TEST(StreamTest, AgreesWithItsDefinitionOnRandomSignals) {
-  std::mt19937 dice(1);
+  std::mt19937 randomizer(1);
   std::uniform_real_distribution<double> value(-1, 1);
   std::uniform_int_distribution<int> delay(0, 6);
   for (int round = 0; round < 50; ++round) {
     Line signal(60);
-    for (double& one : signal) one = value(dice);
-    const Time from = delay(dice), inner_to = delay(dice);
-    const Time to = from + delay(dice);
+    for (double& one : signal) one = value(randomizer);
+    const Time from = delay(randomizer), inner_to = delay(randomizer);
+    const Time to = from + delay(randomizer);
     const Formula formula =
         Over(Op::kAlways, from, to, Over(Op::kEventually, 0, inner_to, Above(0.1)));
     const Line margins = MarginsOf(formula, signal);

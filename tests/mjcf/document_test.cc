@@ -98,18 +98,18 @@ TEST_F(MjcfDocumentTest, RefusesAMissingFile) {
 }
 
 TEST_F(MjcfDocumentTest, RefusesAFolder) {
-  EXPECT_THAT(Refusal(folder_.path()), EndsWith(": no such file"));
+  EXPECT_THAT(Refusal(folder_.path()), EndsWith(": is a folder"));
 }
 
 TEST_F(MjcfDocumentTest, RefusesAnEmptyFile) {
-  EXPECT_THAT(Refusal(Write("a.xml", "")), HasSubstr("a.xml: not well-formed XML"));
+  EXPECT_THAT(Refusal(Write("a.xml", "")), HasSubstr("a.xml: is not XML: it is empty"));
 }
 
 TEST_F(MjcfDocumentTest, RefusesAFileThatIsNoXml) {
   EXPECT_THAT(Refusal(Write("a.xml",
                             "\x7f"
                             "ELF\x01\x02\x03")),
-              HasSubstr("not well-formed XML"));
+              HasSubstr("is not XML: "));
 }
 
 TEST_F(MjcfDocumentTest, RefusesAnotherRoot) {

@@ -32,10 +32,10 @@ class RandomizeModelTest : public test::MujocoTest {
   // The model with what these ranges draw; `drawn_` has what that was.
   ModelHandle Randomized(const robot::RandomizationSpec& ranges, int seed = 1) {
     ModelHandle model = Load();
-    robot::Dice dice(seed);
-    RandomizeModel(ranges, std::span(&spec_, 1), &dice, model.get());
+    robot::Randomizer randomizer(seed);
+    RandomizeModel(ranges, std::span(&spec_, 1), &randomizer, model.get());
     drawn_.clear();
-    for (const robot::Drawn& drawn : dice.draws().values) {
+    for (const robot::Drawn& drawn : randomizer.draws().values) {
       drawn_[drawn.quantity + (drawn.element.empty() ? "" : "/" + drawn.element)] = drawn.value;
     }
     return model;
@@ -103,19 +103,19 @@ TEST_F(RandomizeModelTest, ScalesTheWorldOnceAndEachOfItsRobotsByItself) {
     return physics::LoadWorldModel(placed, test::FixtureFile("fixture_ground.xml"), 0.001);
   };
   const ModelHandle plain = load(), model = load();
-  robot::Dice dice(1);
+  robot::Randomizer randomizer(1);
   RandomizeModel({.friction = {0.5, 0.5},
                   .mass = {0.5, 1.5},
                   .gravity_tilt = {0.2, 0.2},
                   .floor_softness = {4, 4}},
-                 robots, &dice, model.get());
+                 robots, &randomizer, model.get());
   for (int geom = 0; geom < model->ngeom; ++geom) {
     EXPECT_EQ(model->geom_friction[3 * geom], 0.5 * plain->geom_friction[3 * geom]);
     EXPECT_EQ(model->geom_solref[mjNREF * geom], 2 * plain->geom_solref[mjNREF * geom]);
   }
   EXPECT_NEAR(model->opt.gravity[2], -10 * std::cos(0.2), 1e-9);
   const std::map<std::string, double> masses = Masses(*model);
-  for (const robot::Drawn& one : dice.draws().values) {
+  for (const robot::Drawn& one : randomizer.draws().values) {
     if (one.quantity == "mass") {
       EXPECT_EQ(masses.at(one.element), one.value);
     }
@@ -201,11 +201,12 @@ TEST_F(RandomizeModelTest, ScalesArmatureAndFrictionOfEachMotorsJoint) {
   ModelHandle model =
       physics::LoadWorldModel({{spec, spec.model}}, test::FixtureFile("fixture_ground.xml"), 0.001);
   const double weight_before = model->dof_invweight0[Dof("FR_joint")];
-  robot::Dice dice(1);
-  RandomizeModel({.armature = {2, 3}, .frictionloss = {0, 0.5}}, std::span(&spec, 1), &dice,
+  robot::Randomizer randomizer(1);
+  RandomizeModel({.armature = {2, 3}, .frictionloss = {0, 0.5}}, std::span(&spec, 1), &randomizer,
                  model.get());
   std::map<std::string, double> drawn;
-  for (const robot::Drawn& one : dice.draws().values) drawn[one.quantity + one.element] = one.value;
+  for (const robot::Drawn& one : randomizer.draws().values)
+    drawn[one.quantity + one.element] = one.value;
   EXPECT_THAT(drawn, SizeIs(12));
   for (const robot::MotorSpec& motor : spec.motors) {
     const int dof = Dof(motor.joint);

@@ -1,5 +1,7 @@
 #include "mjcf/revise.h"
 
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
@@ -146,6 +148,30 @@ TEST_F(ReviseTest, LocksAJointAndLeavesOutWhatReadsOrDrivesIt) {
 TEST_F(ReviseTest, TakesAJointThatTheModelLacksForLocked) {
   spec_.locked_joints = {"ankle"};
   EXPECT_EQ(Revised()->njnt, 2);
+}
+
+TEST_F(ReviseTest, AddsCamerasThatLookAlongTheirXAndSeeAsMuchAsTheirLens) {
+  robot::CameraSpec camera;
+  camera.name = "front";
+  camera.body = "shin";
+  camera.pos = {0.1, 0.2, 0.3};
+  camera.rpy = {0, 0, std::numbers::pi / 2};
+  camera.focal = {360, 360};
+  camera.centre = {639.5, 359.5};
+  spec_.cameras = {camera};
+  MjcfElement root = ReadMjcf(folder_.Write("leg.xml", kLeg));
+  AddCameras(spec_, &root);
+  AddCameras(spec_, &root);  // in place of the first
+  const ModelHandle model = CompileMjcf(root);
+  ASSERT_EQ(model->ncam, 1);
+  EXPECT_STREQ(mj_id2name(model.get(), mjOBJ_CAMERA, 0), "front");
+  EXPECT_EQ(model->cam_bodyid[0], mj_name2id(model.get(), mjOBJ_BODY, "shin"));
+  EXPECT_THAT(Three(model->cam_pos), ElementsAre(0.1, 0.2, 0.3));
+  EXPECT_NEAR(model->cam_fovy[0], 90, 1e-6);
+  mjtNum R[9];
+  mju_quat2Mat(R, model->cam_quat);  // MuJoCo's look along -z
+  EXPECT_NEAR(-R[5], 1, 1e-9) << "along y of the body";
+  EXPECT_NEAR(R[7], 1, 1e-9) << "its up is the body's";
 }
 
 }  // namespace

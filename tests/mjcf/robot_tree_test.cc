@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "config/load.h"
+#include "config/model_files.h"
 #include "config/robot_file.h"
 #include "mjcf/compile.h"
 #include "mjcf/eigen_views.h"
@@ -71,10 +72,12 @@ class RobotTreeOfRobotTest : public RobotTreeTest,
 TEST_P(RobotTreeOfRobotTest, PutsEveryLinkWhereMujocoHasItsBody) {
   const config::Config config = config::LoadConfig({.robot = GetParam()}, UNDERSTUDY_SOURCE_DIR);
   const ModelHandle model = physics::LoadSightModel(
-      {{config.robot, UNDERSTUDY_SOURCE_DIR + std::string("/models/") + config.robot.model}},
+      {{config.robots[0].spec,
+        UNDERSTUDY_SOURCE_DIR + std::string("/models/") + config.robots[0].spec.model,
+        config::HandModelFiles(config.robots[0].spec)}},
       UNDERSTUDY_SOURCE_DIR "/models/scene/flat.xml", 0.001);
-  ExpectPlacesOfMujoco(*model, config.robot.base_body);
-  EXPECT_GE(TreeOf(*model, config.robot.base_body).base_qpos, 0);
+  ExpectPlacesOfMujoco(*model, config.robots[0].spec.base_body);
+  EXPECT_GE(TreeOf(*model, config.robots[0].spec.base_body).base_qpos, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RobotTreeOfRobotTest,

@@ -108,10 +108,13 @@ class UrdfOfRobotTest : public UrdfTest, public testing::WithParamInterface<std:
 TEST_P(UrdfOfRobotTest, MovesAndWeighsAsTheModelDoes) {
   const config::Config config = config::LoadConfig({.robot = GetParam()}, UNDERSTUDY_SOURCE_DIR);
   const ModelHandle model = physics::LoadSightModel(
-      {{config.robot, UNDERSTUDY_SOURCE_DIR + std::string("/models/") + config.robot.model}},
+      {{config.robots[0].spec,
+        UNDERSTUDY_SOURCE_DIR + std::string("/models/") + config.robots[0].spec.model,
+        config::HandModelFiles(config.robots[0].spec)}},
       UNDERSTUDY_SOURCE_DIR "/models/scene/flat.xml", 0.001);
-  const Urdf urdf = UrdfOf(*model, config.robot.name, TreeOf(*model, config.robot.base_body));
-  ExpectMovesAlike(*model, config.robot.base_body, *Read(urdf));
+  const Urdf urdf =
+      UrdfOf(*model, config.robots[0].spec.name, TreeOf(*model, config.robots[0].spec.base_body));
+  ExpectMovesAlike(*model, config.robots[0].spec.base_body, *Read(urdf));
   EXPECT_THAT(urdf.text, HasSubstr("<visual>"));
 }
 

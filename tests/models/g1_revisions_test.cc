@@ -69,7 +69,8 @@ class G1RevisionTest : public ModelTest, public testing::WithParamInterface<std:
   robot::RobotSpec spec_ =
       config::LoadConfig({.robot = robot_, .files = {}, .sets = {"robot.revision=" + GetParam()}},
                          kData)
-          .robot;
+          .robots[0]
+          .spec;
   mjcf::ModelHandle model_ =
       physics::LoadWorldModel({{spec_, kModels + spec_.model}}, kFlat, 0.001);
 };
@@ -189,7 +190,7 @@ TEST(G1RevisionsTest, EveryRobotOffersThoseOfTheTableAndNoOthers) {
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), of_table);
     const config::Config config =
         config::LoadConfig({.robot = robot, .files = {}, .sets = {}}, kData);
-    EXPECT_EQ(config.robot.revision, robot == "g1" ? "5" : "4");
+    EXPECT_EQ(config.robots[0].spec.revision, robot == "g1" ? "5" : "4");
   }
 }
 

@@ -9,7 +9,9 @@
 
 #include <mujoco/mujoco.h>
 
+#include "mjcf/mount.h"
 #include "tests/support/robots.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::models {
 namespace {
@@ -70,7 +72,16 @@ ModelPtr ModelTest::LoadTogether(const std::vector<std::string>& paths, const st
 }
 
 std::string ModelFile(const std::string& robot) {
-  return kModels + test::ShippedRobot(robot).model;
+  const robot::RobotSpec& spec = test::ShippedRobot(robot);
+  if (spec.hands.empty()) return kModels + spec.model;
+  mjcf::MjcfElement root = mjcf::ReadMjcf(kModels + spec.model);
+  std::vector<mjcf::MjcfElement> hands;
+  for (const robot::HandSpec& hand : spec.hands) {
+    for (const std::string& model : hand.models) hands.push_back(mjcf::ReadMjcf(kModels + model));
+  }
+  mjcf::MountHands(spec, std::move(hands), &root);
+  static const test::TemporaryFolder folder;
+  return folder.Write(robot + ".xml", mjcf::WriteMjcf(root).xml);
 }
 
 nlohmann::json ReadFigures(const std::string& robot) {

@@ -35,7 +35,7 @@ class ModelTest : public testing::Test {
                                const std::string& extra = "");
 };
 
-// The robot's model as its file names it.
+// The robot's model as its file names it, with its hands on.
 std::string ModelFile(const std::string& robot);
 
 // tests/data/figures/<robot>.json

@@ -40,6 +40,12 @@ TEST_F(DampingMotionTest, KnowsItsStatesByTheirIds) {
   EXPECT_EQ(motion_.Ask(goal::SetFsm{4}), authority::MotionVerdict::kUnable);
 }
 
+TEST_F(DampingMotionTest, StaysLimpWhereItsRobotLiesOnItsSide) {
+  motion_.Ask(goal::ZeroTorque{});
+  EXPECT_EQ(motion_.Ask(goal::Fall{}), authority::MotionVerdict::kNotNow);
+  EXPECT_FALSE(Step().motors[0].enabled);
+}
+
 TEST_F(DampingMotionTest, CanDoNothingElse) {
   EXPECT_EQ(motion_.Ask(goal::StandUp{}), authority::MotionVerdict::kUnable);
   EXPECT_TRUE(Step().motors[0].enabled);

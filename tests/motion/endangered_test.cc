@@ -144,7 +144,7 @@ TEST(ProtectedRobotTest, LiesDownBeforeAHotMotorTrips) {
   EXPECT_LT(rig.height(), 0.15);
   EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kNotNow);
   const std::vector<std::string> told = ToldDangers(rig);
-  ASSERT_EQ(told.size(), 1U);
+  ASSERT_EQ(told.size(), 1U) << told.back();
   EXPECT_TRUE(told[0].starts_with("protection: heat 11")) << told[0];
   EXPECT_TRUE(told[0].ends_with(" °C of FR_calf_joint; the robot lies down, if it can")) << told[0];
   Fault(&rig, "all", "none");

@@ -10,7 +10,7 @@ namespace {
 
 // Motors that are as hot after seconds as others after an hour.
 config::Config Hasty(config::Config config) {
-  for (robot::MotorTypeSpec& type : config.robot.motor_types) {
+  for (robot::MotorTypeSpec& type : config.robots[0].spec.motor_types) {
     type.winding_time = 0.5;
     type.casing_time = 3;
   }
@@ -31,21 +31,22 @@ TEST_P(HeatTest, AnHourOfStandingLeavesAllOfTheTorque) {
   const config::Config config = ConfigOf(GetParam(), {"start.pose=standing"});
   HumanoidRig rig(Hasty(config));
   ASSERT_TRUE(rig.Run(1));
-  if (!robot::IsQuadruped(config.robot.kind)) {
-    rig.SetFsm(config.robot.motion.humanoid.balance.front());
+  if (!robot::IsQuadruped(config.robots[0].spec.kind)) {
+    rig.SetFsm(config.robots[0].spec.motion.humanoid.balance.front());
   }
   ASSERT_TRUE(rig.Run(19));
   EXPECT_LT(rig.tilt(), 0.1);
-  EXPECT_LT(Hottest(rig), config.robot.thermal.derate_c - 10);
-  EXPECT_GT(Hottest(rig), config.robot.thermal.ambient_c + config.robot.thermal.rest_rise_c + 1);
+  EXPECT_LT(Hottest(rig), config.robots[0].spec.thermal.derate_c - 10);
+  EXPECT_GT(Hottest(rig), config.robots[0].spec.thermal.ambient_c +
+                              config.robots[0].spec.thermal.rest_rise_c + 1);
   EXPECT_GT(rig.port().last().state.tick_ms, 19'900) << "a pack that cuts off leaves it dark";
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, HeatTest, testing::ValuesIn(test::Robots()),
                          [](const auto& robot) { return robot.param; });
 
-// docs/sources.md#go2-captures: legs at 27 to 51 °C when cool and at 33 to 78 after standing, and
-// 3.6 A of the battery.
+// docs/dev/sources.md#go2-captures: legs at 27 to 51 °C when cool and at 33 to 78 after standing,
+// and 3.6 A of the battery.
 TEST(Go2HeatTest, StandsAtTheTemperaturesAndTheCurrentThatAreSeen) {
   MotionRig rig(Hasty(ConfigOf("go2", {"start.pose=standing"})));
   ASSERT_TRUE(rig.Run(20));

@@ -1,7 +1,6 @@
 // Checks that a robot without commands stays as it is.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,7 +12,6 @@ namespace understudy::motion {
 namespace {
 
 constexpr double kSeconds = 300, kJoint = 0.02, kBase = 0.002;  // s, rad, m
-constexpr double kDegree = std::numbers::pi / 180;
 
 struct Stillness {
   std::vector<double> q;

@@ -1,5 +1,5 @@
 // Bands in which messages of real robots were found, held against those of robots here: what
-// docs/fidelity.md lists under "Bands of real robots". Captures: docs/sources.md.
+// docs/reference/fidelity.md lists under "Bands of real robots". Captures: docs/dev/sources.md.
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -361,7 +361,7 @@ TEST(G1WaistTest, ATargetBeyondItsRangeIsTakenForTheEndOfIt) {
 // Notes on G1s: 2.1 A damped and 2.9 A balancing, at 41 %.
 TEST(G1CurrentTest, BalancingTakesMoreThanItTakesDampedButNotTwiceAsMuchMoreAsSeen) {
   config::Config config = HumanoidConfig("g1");
-  config.robot.battery.start_soc = 0.41;
+  config.robots[0].spec.battery.start_soc = 0.41;
   HumanoidRig rig(config);
   rig.Start("clamped");
   ASSERT_TRUE(rig.Run(5));

@@ -37,7 +37,7 @@ TEST_P(ProfileTest, AGo2StandsAndTrotsForTenSeconds) {
 TEST_P(ProfileTest, AG1StandsBalanced) {
   for (const int seed : {1, 2}) {
     config::Config config = HumanoidConfig("g1", 0.002);
-    config.sensors = ConfigOf("g1", Settings(GetParam(), seed)).sensors;
+    config.robots[0].sensors = ConfigOf("g1", Settings(GetParam(), seed)).robots[0].sensors;
     HumanoidRig rig(config);
     rig.Start("standing");
     rig.Run(1);

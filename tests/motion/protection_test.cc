@@ -23,20 +23,21 @@ using robot::Protection;
 
 constexpr double kStep = 0.01;  // s
 
-// Takes every goal, but a fall only where it stands.
+// Takes every goal, but a fall only where it stands, if it knows falls at all.
 class FakeMotion final : public authority::Motion {
  public:
   void Start(const authority::MotionInput&) override {}
   MotionVerdict Ask(const MotionGoal& goal) override {
     asked.push_back(goal);
-    return std::holds_alternative<goal::Fall>(goal) && !stands ? MotionVerdict::kNotNow
-                                                               : MotionVerdict::kTaken;
+    if (!std::holds_alternative<goal::Fall>(goal)) return MotionVerdict::kTaken;
+    if (!knows_falls) return MotionVerdict::kUnable;
+    return stands ? MotionVerdict::kTaken : MotionVerdict::kNotNow;
   }
   void Step(const authority::MotionInput&, double, robot::RobotCommand*) override {}
   robot::MotionState state() const override { return {.id = id, .name = "as it is"}; }
 
   std::vector<MotionGoal> asked;
-  bool stands = true;
+  bool stands = true, knows_falls = true;
   int id = 0;
 };
 
@@ -48,10 +49,11 @@ class ProtectionTest : public ::testing::Test {
   void Make() {
     auto bare = std::make_unique<FakeMotion>();
     bare_ = bare.get();
-    motion_ = std::make_unique<ProtectedMotion>(config_.robot, world_.robot(), std::move(bare));
-    readings_ = std::vector<robot::MotorReading>(config_.robot.motors.size());
+    motion_ =
+        std::make_unique<ProtectedMotion>(config_.robots[0].spec, world_.robot(), std::move(bare));
+    readings_ = std::vector<robot::MotorReading>(config_.robots[0].spec.motors.size());
     for (std::size_t i = 0; i < readings_.size(); ++i) {
-      readings_[i] = {.q = config_.robot.standing.q[i], .casing_c = 40, .winding_c = 50};
+      readings_[i] = {.q = config_.robots[0].spec.standing.q[i], .casing_c = 40, .winding_c = 50};
     }
     input_ = {};
     input_.motors = readings_;
@@ -59,7 +61,8 @@ class ProtectionTest : public ::testing::Test {
   }
 
   robot::ProtectionRule& rule(Danger danger) {
-    return config_.robot.motion.protection.*Dangers()[static_cast<std::size_t>(danger)].rule;
+    return config_.robots[0].spec.motion.protection.*
+           Dangers()[static_cast<std::size_t>(danger)].rule;
   }
 
   // Brings about a danger of the Go2, and takes it away.
@@ -69,7 +72,7 @@ class ProtectionTest : public ::testing::Test {
         input_.imu.R_WI = Eigen::AngleAxisd(on ? 1.3 : 1.1, Eigen::Vector3d::UnitX());
         return;
       case Danger::kOverspeed:
-        readings_[4].dq = (on ? -1.6 : 1.4) * config_.robot.motors[4].no_load_speed;
+        readings_[4].dq = (on ? -1.6 : 1.4) * config_.robots[0].spec.motors[4].no_load_speed;
         return;
       case Danger::kJointEnd:
         readings_[4].q = world_.robot().ranges()[4][1] + (on ? 0.11 : 0.09);
@@ -113,7 +116,7 @@ constexpr Danger kAll[] = {Danger::kTilt,   Danger::kOverspeed, Danger::kJointEn
 static_assert(std::size(kAll) == robot::kDangers);
 
 TEST_F(ProtectionTest, IsToldAsAStateOfItsOwnWhileItDampsWhereTheRobotHasOne) {
-  config_.robot.motion.humanoid.protection = 12;
+  config_.robots[0].spec.motion.humanoid.protection = 12;
   Make();
   bare_->id = 1;
   EXPECT_EQ(motion_->state().id, 1);
@@ -130,7 +133,7 @@ TEST_F(ProtectionTest, IsToldAsAStateOfItsOwnWhileItDampsWhereTheRobotHasOne) {
   Endanger(Danger::kTilt, false);
   Step(1);
   EXPECT_EQ(motion_->state().id, 1);
-  config_.robot.motion.humanoid.protection = -1;
+  config_.robots[0].spec.motion.humanoid.protection = -1;
   Endanger(Danger::kTilt);
   Step(1);
   EXPECT_EQ(motion_->state().id, 1);
@@ -286,6 +289,14 @@ TEST_F(ProtectionTest, AFallIsNoticedOnlyWhereTheServiceTakesItForOne) {
   bare_->stands = true;
   Step(kStep);
   EXPECT_EQ(does(Danger::kTilt), Protection::kDamp);
+}
+
+TEST_F(ProtectionTest, AServiceThatKnowsNoFallsIsDamped) {
+  bare_->knows_falls = false;
+  Endanger(Danger::kTilt);
+  Step(2 * kStep);
+  EXPECT_EQ(does(Danger::kTilt), Protection::kDamp);
+  EXPECT_TRUE(std::holds_alternative<goal::Damp>(bare_->asked.back()));
 }
 
 TEST_F(ProtectionTest, ARemoteThatWasNotSteeringMayGo) {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "assembly/make_world.h"
 #include "config/load.h"
 #include "emulator/told_event.h"
-#include "physics/world_model.h"
 #include "tests/support/requests.h"
 
 namespace understudy::motion {
@@ -22,11 +22,9 @@ config::Config ConfigOf(const std::string& robot, const std::vector<std::string>
 
 std::filesystem::path FlatScene() { return kRoot / "models" / "scene" / "flat.xml"; }
 
-physics::World PhysicsOf(const config::Config& config, const std::filesystem::path& scene) {
-  const robot::RobotSpec& spec = config.robot;
-  return {physics::LoadWorldModel({{spec, kRoot / "models" / spec.model}}, scene,
-                                  config.physics.timestep),
-          {{spec}}};
+physics::World PhysicsOf(config::Config config, const std::filesystem::path& scene) {
+  config.scene = scene;
+  return assembly::MakePhysics(&config).world;
 }
 
 MotionRig::MotionRig(const config::Config& config, const std::filesystem::path& scene)
@@ -36,21 +34,20 @@ MotionRig::MotionRig(const config::Config& config, physics::World world)
     : config_(config), torque_(spec().motors.size()), saturated_(spec().motors.size()) {
   port_.KeepTheLastOnly();
 
-  world_ = std::make_unique<emulator::World>(
-      std::move(world), config::WorldSettingsOf(config),
-      std::vector<emulator::RobotParts>{{.spec = spec(),
-                                         .settings = config::RobotSettingsOf(config),
-                                         .port = &port_,
-                                         .services = &services_}},
+  world_ = assembly::MakeWorld(
+      std::move(world), config,
+      [this](std::size_t) {
+        return assembly::Ports{&port_, &services_};
+      },
       &inbox_);
   services_.Call([](authority::MotorOwner*) {});  // the first makes room for all that follow
   world_->Attend({});
 }
 
 void MotionRig::Request(std::string_view name, const nlohmann::json& values) {
-  auto answer = inbox_.Put(test::RequestOf(name, values), emulator::Inbox::WallTime::max());
+  auto asked = inbox_.Put(test::RequestOf(name, values));
   world_->Attend({});
-  if (const emulator::Answer told = answer->get(); !told) throw std::logic_error(told.why());
+  if (const emulator::Answer told = asked->answer.get(); !told) throw std::logic_error(told.why());
 }
 
 void MotionRig::Start(std::string_view pose) {
@@ -64,6 +61,11 @@ authority::MotionVerdict MotionRig::Ask(const authority::MotionGoal& goal) {
   services_.Call([&](authority::MotorOwner* owner) { verdict = owner->Ask(goal); });
   world_->Attend({});
   return verdict;
+}
+
+void MotionRig::Switch(std::string_view alias) {
+  services_.Call([&](authority::MotorOwner* owner) { owner->Select(alias); });
+  world_->Attend({});
 }
 
 bool MotionRig::Run(double seconds) {
@@ -88,14 +90,14 @@ bool MotionRig::Push(const Eigen::Vector3d& force, double seconds) {
 }
 
 Eigen::Vector3d MotionRig::rpy() const {
-  const Eigen::Matrix3d R = world().robot().Imu().R_WI.toRotationMatrix();
+  const Eigen::Matrix3d R = world().robot(0).Imu().R_WI.toRotationMatrix();
   return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
           std::atan2(R(1, 0), R(0, 0))};
 }
 
 double MotionRig::fastest() const {
   double speed = 0;
-  for (const double dq : world().robot().dq().first(spec().motors.size())) {
+  for (const double dq : world().robot(0).dq().first(spec().motors.size())) {
     speed = std::max(speed, std::abs(dq));
   }
   return speed;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,12 +19,14 @@ namespace understudy::motion {
 
 namespace goal = authority::goal;
 
+inline constexpr double kDegree = std::numbers::pi / 180;  // rad
+using Verdict = authority::MotionVerdict;
+
 // One of config/robots with the settings ("KEY=VALUE") given.
 config::Config ConfigOf(const std::string& robot, const std::vector<std::string>& settings = {});
 std::filesystem::path FlatScene();
 // The robot of `config` in a scene, and nothing that moves it.
-physics::World PhysicsOf(const config::Config& config,
-                         const std::filesystem::path& scene = FlatScene());
+physics::World PhysicsOf(config::Config config, const std::filesystem::path& scene = FlatScene());
 
 class MotionRig {
  public:
@@ -39,6 +42,8 @@ class MotionRig {
   void Start(std::string_view pose);
 
   authority::MotionVerdict Ask(const authority::MotionGoal& goal);
+  // Has the motion service with that alias move the motors.
+  void Switch(std::string_view alias);
   // False when the physics diverges.
   bool Run(double seconds);
   // Runs until the service is in that state; false when it is not after `seconds`.
@@ -46,13 +51,13 @@ class MotionRig {
   // Runs under a force [N], world axes, on the body that a crane would lift.
   bool Push(const Eigen::Vector3d& force, double seconds);
 
-  const robot::RobotSpec& spec() const { return config_.robot; }
+  const robot::RobotSpec& spec() const { return config_.robots[0].spec; }
   test::FakePort& port() { return port_; }
   double time() const { return world_->time(); }  // simulated s
   const physics::World& world() const { return world_->physics(); }
-  emulator::Robot& robot() { return world_->robot(); }
+  emulator::Robot& robot() { return world_->robot(0); }
   const emulator::EventRing& events() const { return world_->events(); }
-  const emulator::Robot& robot() const { return world_->robot(); }
+  const emulator::Robot& robot() const { return world_->robot(0); }
   robot::MotionState state() const { return robot().owner().state(); }
   const robot::RobotCommand& command() const { return robot().command(); }
 

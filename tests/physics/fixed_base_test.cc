@@ -21,9 +21,10 @@ class FixedBaseTest : public test::MujocoTest {
   FixedBaseTest()
       : config_(
             config::LoadConfig({.robot = kExample / "arm.yaml", .files = {}, .sets = {}}, kSource)),
-        world_(LoadWorldModel({{config_.robot, kSource / "models" / config_.robot.model}},
-                              test::FixtureFile("fixture_ground.xml"), 0.001),
-               {{config_.robot}}) {}
+        world_(LoadWorldModel(
+                   {{config_.robots[0].spec, kSource / "models" / config_.robots[0].spec.model}},
+                   test::FixtureFile("fixture_ground.xml"), 0.001),
+               {{config_.robots[0].spec}}) {}
 
   config::Config config_;
   World world_;

@@ -38,14 +38,14 @@ class JointDynamicsTest : public test::MujocoTest {
   }
 
   static mjcf::ModelHandle LoadWith(const config::Layers& layers) {
-    const robot::RobotSpec spec = config::LoadConfig(layers, kSource).robot;
+    const robot::RobotSpec spec = config::LoadConfig(layers, kSource).robots[0].spec;
     return LoadWorldModel({{spec, kSource / "models" / spec.model}},
                           kSource / "models/scene/flat.xml", 0.001);
   }
 };
 
-// docs/sources.md#go2-fits: the friction of a real Go2's calf is 0.5 to 1.0 N·m, of hip and thigh
-// 0.14 to 0.29; the 0.2 of the vendor's model is too small at the calf.
+// docs/dev/sources.md#go2-fits: the friction of a real Go2's calf is 0.5 to 1.0 N·m, of hip and
+// thigh 0.14 to 0.29; the 0.2 of the vendor's model is too small at the calf.
 TEST_F(JointDynamicsTest, GivesTheGo2TheJointFrictionThatRealOnesShow) {
   const mjcf::ModelHandle model = Load("go2", "");
   for (const std::string leg : {"FR", "FL", "RR", "RL"}) {

@@ -80,6 +80,18 @@ class RobotBodyTest : public test::MujocoTest {
     return force[0];
   }
 
+  // Returns the angle [rad] that `torque` turns the wheel by.
+  double Turned(double torque, double seconds) {
+    const double before = world_.robot().q()[0];
+    for (int i = 0; i < std::lround(seconds / 0.001); ++i) {
+      world_.BeginStep();
+      world_.robot().Drive(std::vector<double>{torque, 0});
+      EXPECT_EQ(world_.EndStep(), StepHealth::kFine);
+    }
+    world_.BeginStep();
+    return world_.robot().q()[0] - before;
+  }
+
   World world_ = Make({0, 0, 0});
 };
 
@@ -90,32 +102,31 @@ TEST_F(RobotBodyTest, TellsThePowerOfDryAndViscousFrictionEitherWay) {
 }
 
 TEST_F(RobotBodyTest, TellsNoPowerOfAJointThatIsStuck) {
-  world_.robot().Brake(0, 0, true);
+  world_.robot().Brake(0, 0, RobotBody::Grip::kJammed);
   EXPECT_EQ(FrictionAt(1e-6), 0);
-  world_.robot().Brake(0, 0, false);
+  world_.robot().Brake(0, 0, RobotBody::Grip::kYields);
   EXPECT_NEAR(FrictionAt(3), 10.5, 1e-9);
 }
 
 TEST_F(RobotBodyTest, AddsADragToTheFrictionThatAJointHas) {
-  world_.robot().Brake(0, 4, false);
+  world_.robot().Brake(0, 4, RobotBody::Grip::kYields);
   EXPECT_NEAR(FrictionAt(3), (6 + 0.5 * 3) * 3, 1e-9);
 }
 
 TEST_F(RobotBodyTest, HoldsAJointThatIsStuckAgainstItsTorqueAndLetsGoOfItAgain) {
-  const auto turned = [this](double seconds) {
-    const double before = world_.robot().q()[0];
-    for (int i = 0; i < std::lround(seconds / 0.001); ++i) {
-      world_.BeginStep();
-      world_.robot().Drive(std::vector<double>{50, 0});
-      EXPECT_EQ(world_.EndStep(), StepHealth::kFine);
-    }
-    world_.BeginStep();
-    return world_.robot().q()[0] - before;
-  };
-  world_.robot().Brake(0, 0, true);
-  EXPECT_LT(std::abs(turned(0.2)), 1e-4);
-  world_.robot().Brake(0, 0, false);
-  EXPECT_GT(turned(0.2), 0.3);
+  world_.robot().Brake(0, 0, RobotBody::Grip::kJammed);
+  EXPECT_LT(std::abs(Turned(50, 0.2)), 1e-4);
+  world_.robot().Brake(0, 0, RobotBody::Grip::kYields);
+  EXPECT_GT(Turned(50, 0.2), 0.3);
+}
+
+TEST_F(RobotBodyTest, AJointThatSticksDoesNotCreepUnderLessThanItsFriction) {
+  const double crept = Turned(1.5, 2);
+  EXPECT_GT(crept, 1e-3);
+  world_.robot().SetRates(std::vector<double>{0, 0});
+  world_.robot().Brake(0, 0, RobotBody::Grip::kSticks);
+  EXPECT_LT(Turned(1.5, 2), crept / 100);
+  EXPECT_GT(Turned(4, 0.2), 0.02) << "more than its friction of 2 N·m turns it";
 }
 
 TEST_F(RobotBodyTest, KnowsTheRangesAndArmaturesOfItsJoints) {

@@ -28,7 +28,7 @@ PlacedRobot Fixture(const std::string& prefix, double x, double y) {
 
 PlacedRobot OfProject(const std::string& name, double x) {
   const robot::RobotSpec spec =
-      config::LoadConfig({.robot = name, .files = {}, .sets = {}}, kSource).robot;
+      config::LoadConfig({.robot = name, .files = {}, .sets = {}}, kSource).robots[0].spec;
   return {.spec = spec, .file = kSource / "models" / spec.model, .prefix = name + "/", .x = x};
 }
 
@@ -240,6 +240,13 @@ TEST_F(Go2AndG1Test, HaveTheFiguresTheyHaveAlone) {
 #undef SAME
     EXPECT_GT(compared, 80);
   }
+}
+
+TEST_F(Go2AndG1Test, HaveSparseConstraintsOnlyTogether) {
+  EXPECT_EQ(Load({go2_, g1_}, flat_).model().opt.jacobian, mjJAC_SPARSE);
+  PlacedRobot only = go2_;
+  only.prefix = "";
+  EXPECT_EQ(Load({only}, flat_).model().opt.jacobian, mjJAC_AUTO);
 }
 
 TEST_F(Go2AndG1Test, HaveTheOptionsOfTheFirst) {

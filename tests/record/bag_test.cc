@@ -1,3 +1,4 @@
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -153,6 +154,8 @@ TEST_F(BagTest, TellsWhatIsWrongWithAFolder) {
   const std::string about = "rosbag2_bagfile_information:\n  relative_file_paths: ";
   EXPECT_THAT(with(about + "[]\n"), HasSubstr("expected rosbag2_bagfile_information"));
   EXPECT_THAT(with(about + "[missing.db3]\n"), HasSubstr("missing.db3: No such file"));
+  Bag("twice.db3");
+  EXPECT_THAT(with(about + "[twice.db3, a/twice.db3]\n"), HasSubstr("in the list already"));
   for (const char* outside : {"\"../run.db3\"", "/etc/passwd", ".", "{a: 1}"}) {
     EXPECT_THAT(with(about + "[" + outside + "]\n"), HasSubstr("metadata.yaml:2")) << outside;
   }
@@ -193,6 +196,68 @@ TEST_F(BagTest, RunsNothingThatAFileDefines) {
       "CREATE VIRTUAL TABLE messages USING fts5(id, topic_id, timestamp, data);"
       "CREATE TABLE topics(id, name, type, serialization_format)");
   EXPECT_THAT(Reading(File("virtual.db3")), HasSubstr("'messages' is no plain table"));
+  Run(File("computed.db3"),
+      "CREATE TABLE topics(id, name, type, serialization_format);"
+      "CREATE TABLE messages(id, topic_id, timestamp, data GENERATED ALWAYS AS (zeroblob(9)))");
+  EXPECT_THAT(Reading(File("computed.db3")), HasSubstr("'messages' has columns that are computed"));
+}
+
+TEST_F(BagTest, WritesNothingBesideABagInWalMode) {
+  Run(Bag("wal #1?.db3"), "PRAGMA journal_mode = WAL; UPDATE topics SET name = name");
+  const auto reader = OpenRecording(File("wal #1?.db3"));
+  EXPECT_EQ(Told(*reader).size(), 4U);
+  EXPECT_FALSE(std::filesystem::exists(File("wal #1?.db3-wal")));
+  EXPECT_FALSE(std::filesystem::exists(File("wal #1?.db3-shm")));
+}
+
+TEST_F(BagTest, ReadsWhatAKilledWriterLeftInTheWal) {
+  sqlite3* writer = nullptr;
+  ASSERT_EQ(sqlite3_open(Bag().c_str(), &writer), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(writer,
+                         "PRAGMA journal_mode = WAL;"
+                         "INSERT INTO messages VALUES(99, 7, 200, x'00')",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  EXPECT_EQ(OpenRecording(File("run.db3"))->contents().messages, 5U);
+  sqlite3_close(writer);
+}
+
+TEST_F(BagTest, SaysThatAJournalIsLeft) {
+  sqlite3* writer = nullptr;
+  Run(Bag(),
+      "WITH RECURSIVE n(i) AS (SELECT 100 UNION ALL SELECT i + 1 FROM n WHERE i < 2000) "
+      "INSERT INTO messages SELECT i, 7, i, x'00' FROM n");
+  ASSERT_EQ(sqlite3_open(File("run.db3").c_str(), &writer), SQLITE_OK);
+  EXPECT_EQ(
+      sqlite3_exec(writer, "PRAGMA cache_size = 1; BEGIN; UPDATE messages SET data = zeroblob(200)",
+                   nullptr, nullptr, nullptr),
+      SQLITE_OK);
+  for (const char* end : {"", "-journal"}) {
+    std::filesystem::copy_file(File("run.db3" + std::string(end)),
+                               File("torn.db3" + std::string(end)));
+  }
+  sqlite3_close(writer);
+  EXPECT_THAT(Reading(File("torn.db3")), AllOf(HasSubstr("-journal"), HasSubstr("copy")));
+}
+
+TEST_F(BagTest, ReadsManyTopicsOfAFolderInNoTime) {
+  std::string text = kTables;
+  text +=
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 20000) "
+      "INSERT INTO topics SELECT i, '/topic' || i, 'a_msgs/msg/A', 'cdr', '' FROM n";
+  Run(File("run.db3"), text);
+  WriteText("metadata.yaml", "rosbag2_bagfile_information: {relative_file_paths: [run.db3]}\n");
+  const auto begun = std::chrono::steady_clock::now();
+  EXPECT_EQ(OpenRecording(File("."))->contents().channels.size(), 20000U);
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(5));
+}
+
+TEST_F(BagTest, RefusesAFileThatUnpacksToFarMoreThanItHas) {
+  const std::string zeros(std::size_t{100} << 20, '\0');
+  std::string packed(ZSTD_compressBound(zeros.size()), '\0');
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), zeros.data(), zeros.size(), 1));
+  WriteText("bomb.db3.zstd", packed + packed + packed);
+  EXPECT_THAT(Reading(File("bomb.db3.zstd")), HasSubstr("it has more than"));
 }
 
 TEST_F(BagTest, ADamagedFileIsReadOrToldOf) {

@@ -75,11 +75,13 @@ class McapReaderTest : public McapFilesTest {
     statistics.Put(messages);
     return RecordText(McapOp::kStatistics, statistics);
   }
-  static std::string ChunkIndexText(std::uint64_t first, std::uint64_t last, std::uint64_t offset) {
+  static std::string ChunkIndexText(std::uint64_t first, std::uint64_t last, std::uint64_t offset,
+                                    std::uint64_t size = 0) {
     BytesOut index;
     index.Put(first);
     index.Put(last);
     index.Put(offset);
+    index.Put(size);
     return RecordText(McapOp::kChunkIndex, index);
   }
   // `summary` from byte `start` on; 0: there is none.
@@ -133,6 +135,21 @@ TEST_F(McapReaderTest, EndsWhereAPowerCutLeftZeros) {
       Holding(HeaderText() + ChannelText() + MessageText(1, 7) + std::string(10'000, '\0')));
   EXPECT_THAT(reader.contents().cut_short, HasSubstr("zeros"));
   EXPECT_THAT(MessagesOf(reader), SizeIs(1));
+}
+
+// As where a file system writes the length of a file before its pages.
+TEST_F(McapReaderTest, LeavesOutAChunkThatAPowerCutDamaged) {
+  const auto chunk = [](std::uint64_t time, bool damaged) {
+    const std::string records = ChannelText() + MessageText(1, time);
+    return ChunkText(records.size(), damaged ? 12345 : 0, "", records);
+  };
+  const McapReader amid(Holding(HeaderText() + chunk(1, false) + chunk(2, true) + chunk(3, false)));
+  EXPECT_THAT(amid.contents().cut_short, HasSubstr("what it held is left out"));
+  EXPECT_THAT(MessagesOf(amid), SizeIs(2));
+  const McapReader last(
+      Holding(HeaderText() + chunk(1, false) + chunk(2, true) + std::string(10'000, '\0')));
+  EXPECT_THAT(last.contents().cut_short, HasSubstr("what it held is left out"));
+  EXPECT_THAT(MessagesOf(last), SizeIs(1));
 }
 
 TEST_F(McapReaderTest, ReadsATimeOnly) {
@@ -228,6 +245,45 @@ TEST_F(McapReaderTest, RefusesASummaryThatLies) {
   const std::uint64_t beyond = whole.size() * 2;
   std::memcpy(wrong.data() + whole.size() - 28, &beyond, 8);
   EXPECT_THAT(Reading(wrong), HasSubstr("the footer has the summary begin at"));
+}
+
+TEST_F(McapReaderTest, RefusesChunksThatOverlap) {
+  const std::string chunk = ChunkText(MessageText(1, 1).size(), 0, "", MessageText(1, 1));
+  const std::uint64_t at = HeaderText().size();
+  const auto with = [&](const std::string& indexes) {
+    const std::string summary = ChannelText() + StatisticsText(1, 1, 2) + indexes;
+    return Reading(HeaderText() + chunk + EndText(summary, at + chunk.size()));
+  };
+  const std::string index = ChunkIndexText(1, 2, at, chunk.size());
+  EXPECT_EQ(with(index), "");
+  EXPECT_THAT(with(index + index), HasSubstr("chunks that overlap"));
+  EXPECT_THAT(with(index + ChunkIndexText(1, 2, at + 1, 5)), HasSubstr("chunks that overlap"));
+  EXPECT_THAT(with(ChunkIndexText(1, 2, at, 9)), HasSubstr("larger than its index says"));
+}
+
+TEST_F(McapReaderTest, RefusesMetadataThatManyIndexesName) {
+  BytesOut metadata, index;
+  metadata.PutString("large");
+  metadata.PutMap({{"text", std::string(2000, 'x')}});
+  index.Put(static_cast<std::uint64_t>(HeaderText().size()));
+  const std::string body = HeaderText() + RecordText(McapOp::kMetadata, metadata);
+  std::string summary = StatisticsText(0, 0, 0);
+  for (int i = 0; i < 3; ++i) summary += RecordText(McapOp::kMetadataIndex, index);
+  EXPECT_THAT(Reading(body + EndText(summary, body.size())),
+              HasSubstr("more metadata than the file has"));
+}
+
+TEST_F(McapReaderTest, RefusesAFileThatUnpacksToFarMoreThanItHas) {
+  // One record of an unknown kind.
+  std::string large(std::size_t{250} << 20, '\0');
+  const std::uint64_t length = large.size() - 9;
+  large[0] = '\x7f';
+  std::memcpy(large.data() + 1, &length, 8);
+  std::string packed(ZSTD_compressBound(large.size()), '\0');
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), large.data(), large.size(), 1));
+  std::string text = HeaderText();
+  for (int i = 0; i < 3; ++i) text += ChunkText(large.size(), 0, "zstd", packed);
+  EXPECT_THAT(Reading(text), HasSubstr("the file unpacks to more than"));
 }
 
 TEST_F(McapReaderTest, RefusesARecordingThatEndsBeforeItBegins) {

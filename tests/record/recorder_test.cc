@@ -80,8 +80,8 @@ class RecorderTest : public McapFilesTest {
     emulator::CopyText("rt/lowcmd", &event.text);
     ring_.Append(event);
   }
-  static std::vector<Event> EventsOf(const McapReader& reader) {
-    std::vector<Event> events;
+  static std::vector<RecordedEvent> EventsOf(const McapReader& reader) {
+    std::vector<RecordedEvent> events;
     reader.ReadMessages([&](const McapChannel& channel, const McapMessage& message) {
       if (channel.topic == kEventTopic) events.push_back(DecodeEvent(message.data));
       return true;
@@ -134,7 +134,7 @@ TEST_F(RecorderTest, ThatBeginsInTheMiddleLeavesOutWhatWasBefore) {
   EXPECT_EQ(times.at("/hello").front(), 1000U);
   EXPECT_EQ(times.at("/hello").size(), 10U);
   EXPECT_EQ(times.at("understudy/truth").front(), 1001U);
-  const std::vector<Event> events = EventsOf(reader);
+  const std::vector<RecordedEvent> events = EventsOf(reader);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].step, 1000);
 }
@@ -192,7 +192,7 @@ TEST_F(RecorderTest, TellsOfABurstOfEventsByItsCountAndOfItsEnd) {
   }
   Refuse(150);
   recorder.reset();
-  const std::vector<Event> events = EventsOf(McapReader(File()));
+  const std::vector<RecordedEvent> events = EventsOf(McapReader(File()));
   ASSERT_THAT(events, SizeIs(3));
   EXPECT_EQ(events[0].step, 0);
   EXPECT_EQ(events[0].kind, "refused");

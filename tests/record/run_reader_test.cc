@@ -38,8 +38,8 @@ TEST_F(RunReaderTest, FindsTheFirstAndTheLastMovementOfBaseOrJoint) {
 }
 
 TEST_F(RunReaderTest, FindsEventsButThoseOfTheBegin) {
-  const Event begins{.step = 0, .time = 0, .kind = "motion_service", .text = "mcf is on"};
-  const Event late{.step = 10, .time = 2, .kind = "overrun", .text = "late"};
+  const RecordedEvent begins{.step = 0, .time = 0, .kind = "motion_service", .text = "mcf is on"};
+  const RecordedEvent late{.step = 10, .time = 2, .kind = "overrun", .text = "late"};
   EXPECT_TRUE(Busy({.events = {begins, late}}).never);
   const BusySpan busy =
       Busy({.events = {begins, {.step = 600, .time = 6, .kind = "refused", .text = "crc"}}});

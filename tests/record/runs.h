@@ -18,7 +18,7 @@ struct MadeRun {
   double seconds = 10;
   std::function<double(double)> height = [](double) { return 0.3; };
   std::function<double(double)> q = [](double) { return 0.0; };
-  std::vector<Event> events{};
+  std::vector<RecordedEvent> events{};
   bool named = true;  // the recording names its motors
 };
 

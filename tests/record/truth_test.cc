@@ -47,11 +47,11 @@ TEST(TruthTest, RefusesEveryPartOfIt) {
 }
 
 Damage SomeDamage() {
-  robot::Damage sheet{.motors = {{.at_torque_limit = 1, .hottest_c = 2}, {.largest_jump = 3}},
-                      .time = 4,
-                      .energy = 5,
-                      .worst_tilt = 6,
-                      .falls = 7};
+  robot::DamageTotals sheet{.motors = {{.at_torque_limit = 1, .hottest_c = 2}, {.largest_jump = 3}},
+                            .time = 4,
+                            .energy = 5,
+                            .worst_tilt = 6,
+                            .falls = 7};
   return {.step = 8,
           .sheet = sheet,
           .trip_c = 9,
@@ -105,7 +105,7 @@ TEST(DamageTest, RefusesFewerLimitsThanJoints) {
 TEST(EventTest, IsReadAsItWasWritten) {
   BytesOut out;
   EncodeEvent({.step = 3, .time = 0.003, .kind = "refused", .text = "no", .detail = "{}"}, &out);
-  const Event event = DecodeEvent(out.span());
+  const RecordedEvent event = DecodeEvent(out.span());
   EXPECT_EQ(event.step, 3);
   EXPECT_EQ(event.time, 0.003);
   EXPECT_EQ(event.kind, "refused");

@@ -121,7 +121,7 @@ TEST(RunLineTest, ComesBackAsItWas) {
 
 TEST(GroupsTest, FewValuesAreToldApartAndManyNumbersByRange) {
   const auto groups = [](const std::string& vary) {
-    return Groups(Plan(config::ParseYaml(vary, "v")).axes()[0]);
+    return Groups(Plan(schema::ParseYaml(vary, "v")).axes()[0]);
   };
   EXPECT_THAT(groups("grid: {a: [x, y]}").labels(), ElementsAre("x", "y"));
   const Groups parts = groups("random: {a: {from: 0, to: 6}}\nruns: 2");

@@ -11,7 +11,6 @@
 #include "record/mcap_reader.h"
 #include "record/mcap_writer.h"
 #include "record/ros2msg.h"
-#include "rehearse/svg_plot.h"
 #include "robot/robot_values.h"
 #include "tests/support/temporary_folder.h"
 
@@ -29,9 +28,11 @@ constexpr char kGoState[] = "unitree_go/msg/LowState", kGoCmd[] = "unitree_go/ms
 struct Play {
   double begin = 0;  // s of the movement at which the recording begins
   double seconds = 4;
-  double lag = 0.02;  // s of the angles behind their commands
-  double more = 0;    // rad, of the first angle
-  double tau = 1;     // N·m
+  double lag = 0.02;          // s of the angles behind their commands
+  double more = 0;            // rad, of the first angle
+  double tau = 1;             // N·m
+  double clock_set = 0;       // s, by which the clock is put forward after 2 s
+  bool late_command = false;  // one is stamped a year later
   bool commands = true, moves = true;
   record::StringMap about = {
       {"robot", "go2"}, {"motors", "hip_joint knee_joint"}, {"slots", "0 1"}};
@@ -70,7 +71,9 @@ class CompareTest : public testing::Test {
     };
     for (int i = 0; i < static_cast<int>(play.seconds * 500); ++i) {
       const double t = play.begin + 0.002 * i;
-      const std::uint64_t at = 5'000'000'000 + static_cast<std::uint64_t>(i) * 2'000'000;
+      const double set = i > 1000 ? play.clock_set : 0;
+      const std::uint64_t at = 5'000'000'000 + static_cast<std::uint64_t>(i) * 2'000'000 +
+                               static_cast<std::uint64_t>(set * 1e9);
       const auto f = [](double value) { return static_cast<float>(value); };
       const std::string told =
           MessageOf(kGoState, {{"motor_state[0].q", f(angle(t - play.lag, 0) + play.more)},
@@ -84,12 +87,14 @@ class CompareTest : public testing::Test {
           MessageOf(kGoCmd, {{"motor_cmd[0].q", f(angle(t, 0))},
                              {"motor_cmd[1].q", static_cast<float>(robot::kNoPosition)}});
       writer.Write(cmd, at, at, record::AsBytes(asked));
+      constexpr std::uint64_t kYear = 31'536'000'000'000'000;
+      if (play.late_command && i == 0) writer.Write(cmd, at + kYear, at, record::AsBytes(asked));
     }
     writer.Finish();
     return file;
   }
-  Comparison Compared(const Play& first, const Play& second,
-                      std::optional<double> shift = std::nullopt) {
+  Differences Compared(const Play& first, const Play& second,
+                       std::optional<double> shift = std::nullopt) {
     return Compare(record::McapReader(Recording("first.mcap", first)),
                    record::McapReader(Recording("second.mcap", second)), shift);
   }
@@ -98,7 +103,7 @@ class CompareTest : public testing::Test {
 };
 
 TEST_F(CompareTest, FindsBetweenARecordingAndItselfNothing) {
-  const Comparison same = Compared({}, {});
+  const Differences same = Compared({}, {});
   EXPECT_TRUE(same.aligned);
   EXPECT_EQ(same.shift, 0);
   EXPECT_NEAR(same.likeness, 1, 1e-6);
@@ -110,7 +115,7 @@ TEST_F(CompareTest, FindsBetweenARecordingAndItselfNothing) {
 
 TEST_F(CompareTest, AlignsThemByTheirMovements) {
   for (const double begin : {0.7, -1.1}) {
-    const Comparison shifted = Compared({}, {.begin = begin});
+    const Differences shifted = Compared({}, {.begin = begin});
     EXPECT_NEAR(shifted.shift, begin, 1e-9);
     EXPECT_LT(shifted.motors[0].q.rms.value(), 1e-6);
     EXPECT_NEAR(shifted.from, std::max(0.0, begin), 1e-9);
@@ -118,7 +123,7 @@ TEST_F(CompareTest, AlignsThemByTheirMovements) {
 }
 
 TEST_F(CompareTest, MeasuresHowFarTheyAreApart) {
-  const Comparison apart = Compared({}, {.more = 0.05, .tau = -2});
+  const Differences apart = Compared({}, {.more = 0.05, .tau = -2});
   EXPECT_NEAR(apart.motors[0].q.rms.value(), 0.05, 1e-6);
   EXPECT_NEAR(apart.motors[0].q.most.value(), 0.05, 1e-6);
   EXPECT_EQ(apart.motors[1].q.rms, 0);
@@ -130,7 +135,7 @@ TEST_F(CompareTest, MeasuresHowFarTheyAreApart) {
 }
 
 TEST_F(CompareTest, MeasuresHowMotorsFollowTheirCommands) {
-  const Comparison lags = Compared({.lag = 0.02}, {.lag = 0.06});
+  const Differences lags = Compared({.lag = 0.02}, {.lag = 0.06});
   EXPECT_NEAR(lags.motors[0].first.lag.value(), 0.02, 1e-9);
   EXPECT_NEAR(lags.motors[0].second.lag.value(), 0.06, 1e-9);
   EXPECT_LT(lags.motors[0].first.error.value(), lags.motors[0].second.error.value());
@@ -142,20 +147,20 @@ TEST_F(CompareTest, TakesNoPositionForNone) {
 }
 
 TEST_F(CompareTest, NeedsNoCommands) {
-  const Comparison states = Compared({}, {.commands = false});
+  const Differences states = Compared({}, {.commands = false});
   EXPECT_EQ(states.motors[0].second.lag, std::nullopt);
   EXPECT_EQ(states.motors[0].q.rms, 0);
 }
 
 TEST_F(CompareTest, ShiftsByWhatItIsTold) {
-  const Comparison told = Compared({}, {}, 0.5);
+  const Differences told = Compared({}, {}, 0.5);
   EXPECT_FALSE(told.aligned);
   EXPECT_NEAR(told.shift, 0.5, 1e-9);
   EXPECT_GT(told.motors[0].q.rms.value(), 0.05);
 }
 
 TEST_F(CompareTest, BeginsBothAtTheirStartsWhereNothingMoves) {
-  const Comparison still = Compared({.moves = false}, {.moves = false});
+  const Differences still = Compared({.moves = false}, {.moves = false});
   EXPECT_FALSE(still.aligned);
   EXPECT_EQ(still.shift, 0);
   EXPECT_THAT(CompareText(still), HasSubstr("too little moves"));
@@ -163,9 +168,20 @@ TEST_F(CompareTest, BeginsBothAtTheirStartsWhereNothingMoves) {
 
 TEST_F(CompareTest, NamesMotorsOfOtherRecordersAsTheOneThatKnows) {
   EXPECT_EQ(Compared({}, {.about = {}}).motors[1].joint, "knee");
-  const Comparison nameless = Compared({.about = {}}, {.about = {}});
+  const Differences nameless = Compared({.about = {}}, {.about = {}});
   ASSERT_THAT(nameless.motors, SizeIs(2));  // of 20 slots
   EXPECT_EQ(nameless.motors[1].joint, "1");
+}
+
+// A robot without a clock gets one when it finds a server of time.
+TEST_F(CompareTest, SaysWhereAClockWasSet) {
+  EXPECT_THAT([&] { Compared({.clock_set = 1'000'000}, {}); },
+              ThrowsMessage<RecordError>(HasSubstr("its clock jumps by")));
+}
+
+TEST_F(CompareTest, TakesNoCommandsFromAfterTheLastState) {
+  const Differences same = Compared({.late_command = true}, {});
+  EXPECT_NEAR(same.to, Compared({}, {}).to, 0.1);
 }
 
 TEST_F(CompareTest, RefusesOtherRobots) {
@@ -190,7 +206,7 @@ TEST_F(CompareTest, RefusesARecordingWithoutStates) {
 }
 
 TEST_F(CompareTest, IsToldAsLinesJsonAndAPage) {
-  const Comparison apart = Compared({}, {.more = 0.05, .commands = false});
+  const Differences apart = Compared({}, {.more = 0.05, .commands = false});
   const std::string text = CompareText(apart);
   EXPECT_THAT(text, HasSubstr("first.mcap and second.mcap, go2"));
   EXPECT_THAT(text, HasSubstr("\nhip                        50           50"));
@@ -206,15 +222,9 @@ TEST_F(CompareTest, IsToldAsLinesJsonAndAPage) {
 TEST_F(CompareTest, NamesFilesOfOneNameByTheirPaths) {
   std::filesystem::create_directory(folder_.path() / "a");
   const auto one = Recording("a/r.mcap", {}), other = Recording("r.mcap", {});
-  const Comparison named = Compare(record::McapReader(one), record::McapReader(other), {});
+  const Differences named = Compare(record::McapReader(one), record::McapReader(other), {});
   EXPECT_EQ(named.first, one.string());
   EXPECT_EQ(named.second, other.string());
-}
-
-TEST(SvgPlotTest, DrawsTheOtherSignalOnTheSameAxes) {
-  const std::string svg = DrawSvg({.points = {{0, 0}, {1, 1}}, .others = {{0, 3}, {1, 3}}});
-  EXPECT_THAT(svg, HasSubstr("class=\"other\""));
-  EXPECT_THAT(svg, HasSubstr(">3</text>"));  // within the range
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using testing::HasSubstr;
 judge::Verdict VerdictOf(const std::string& expectation, const std::function<void(Stage*)>& play) {
   const Expectations expect = ReadExpect("- " + expectation);
   Jury jury(expect);
-  Stage stage(&jury);
+  Stage stage(jury.Hearing(0));
   play(&stage);
   jury.Finish();
   return jury.verdicts().front();
@@ -147,17 +147,29 @@ TEST(EvidenceTest, MeasuresTorquesByTheirLimitsAndReadsTemperatures) {
 TEST(EvidenceTest, DoesNotJudgeByATruthThatARecordingDoesNotHave) {
   const Expectations expect = ReadExpect("[{always: base.height > 0.2}, {never: lowcmd arrives}]");
   Jury jury(expect);
-  Stage(&jury).Message(1, "lowstate");
+  Stage(jury.Hearing(0)).Message(1, "lowstate");
   jury.Finish();
   EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
   EXPECT_THAT(jury.WhyNot(0), HasSubstr("base.height is the simulation's truth"));
   EXPECT_EQ(jury.verdicts()[1].outcome, judge::Outcome::kPassed);
 }
 
+TEST(EvidenceTest, DoesNotJudgeByTheBaseOfARobotWhoseBaseIsFixed) {
+  const Expectations expect =
+      ReadExpect("[{always: base.height > -1}, {always: torque(knee) > 1}]");
+  Jury jury(expect);
+  Stage stage(jury.Hearing(0));
+  stage.Joints(1, std::vector<double>(8), {0, 2});
+  jury.Finish();
+  EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
+  EXPECT_THAT(jury.WhyNot(0), HasSubstr("base.height is of a base that moves"));
+  EXPECT_EQ(jury.verdicts()[1].outcome, judge::Outcome::kPassed);
+}
+
 TEST(EvidenceTest, DoesNotJudgeByEventsThatARecordingDoesNotHave) {
   const Expectations expect = ReadExpect("[{never: refused happens}]");
   Jury jury(expect);
-  Stage(&jury).Message(1, "lowstate");
+  Stage(jury.Hearing(0)).Message(1, "lowstate");
   jury.Finish();
   EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
   EXPECT_THAT(jury.WhyNot(0), HasSubstr("comes from events"));

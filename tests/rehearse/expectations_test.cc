@@ -23,6 +23,16 @@ TEST(ExpectationsTest, ShareTheSignalsOfAll) {
   EXPECT_EQ(expect.list[1].leaves[1].unit, "deg");
 }
 
+TEST(ExpectationsTest, ReadSafeAsTheStandardSet) {
+  const Expectations expect = ReadExpect("[safe, {always: base.height > 0.2}]");
+  EXPECT_TRUE(expect.safe);
+  ASSERT_EQ(expect.list.size(), 4U);
+  EXPECT_EQ(expect.list[0].name, "stays upright");
+  EXPECT_EQ(expect.list[0].where, "e:1");
+  EXPECT_EQ(expect.list[2].asks, "never call_refused happens");
+  EXPECT_FALSE(ReadExpect("[{always: base.height > 0.2}]").safe);
+}
+
 TEST(ExpectationsTest, SayWhereAndWhatIsWrongWithTheNearestWord) {
   const std::pair<const char*, const char*> kRows[] = {
       {"{alway: base.x > 0}", "e:1: key 'alway': unknown; did you mean 'always'?"},
@@ -46,7 +56,7 @@ TEST(ExpectationsTest, SayWhereAndWhatIsWrongWithTheNearestWord) {
       {"{count: base.x > 0, least: 3, most: 2}", "most is less than least"},
       {"{always: base.x > 0, from: 3, to: 2}", "to: the window ends before it begins"},
       {"{always: base.x > 0, to: 3, during: 2}", "during: the window already ends with `to`"},
-      {"{always: base.x > 0, from: -1}", "from: expected seconds from 0 to 1000000, got '-1'"},
+      {"{always: base.x > 0, from: -1}", "from: expected a number from 0 to 1000000 s, got '-1'"},
       {"{always: [base.x]}", "always: expected a condition, as in base.height > 0.3, got a list"},
   };
   for (const auto& [expectation, error] : kRows) {

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/printed.h"
 #include "rehearse/rehearse.h"
-#include "rehearse/svg_plot.h"
 #include "tests/rehearse/rehearse_fixture.h"
 
 namespace understudy::rehearse {
@@ -22,14 +22,14 @@ class OutputsTest : public testing::Test {
                            "- {always: base.height > 35 cm, name: high, says: It is high}\n"
                            "- {always: base.height > 0.1, to: 9, name: long}\n")) {
     Jury jury(expect_);
-    Stage stage(&jury);
+    Stage stage(jury.Hearing(0));
     stage.Truth(0, 0.4);
     stage.Truth(1, 0.3);
     stage.Event(1, "gate", R"({"state": "damping"})");
     stage.Truth(2, 0.4);
     jury.Finish();
     judged_.end = 2;
-    judged_.events = jury.evidence().events();
+    judged_.events = jury.events();
     judged_.whole = {{{0, 0.4}, {1, 0.4}, {1, 0.3}, {2, 0.3}}};
     for (const judge::Verdict& verdict : jury.verdicts()) {
       const bool open = verdict.outcome == judge::Outcome::kNotJudged;
@@ -63,15 +63,33 @@ TEST_F(OutputsTest, JsonHasNumbersAndNullWhereThereIsNone) {
   EXPECT_EQ(told["verdicts"][2]["outcome"], "not judged");
 }
 
+TEST_F(OutputsTest, EachOfSeveralRobotsHasItsVerdict) {
+  expect_.robots = {"left", "right", "idle"};
+  expect_.signals = {{.name = "left:base.height"}, {.name = "right:base.height", .robot = 1}};
+  expect_.list[1].signals = {1};
+  expect_.list[2].signals = {0};
+  judged_.rulings[2] = judged_.rulings[0];
+  const std::string lines = TellLines(occasion_, expect_, judged_, false);
+  EXPECT_THAT(lines,
+              HasSubstr("  PASS  left\n  FAIL  right\n        idle  no expectation names it"));
+  const auto robots = nlohmann::json::parse(TellJson(occasion_, expect_, judged_))["robots"];
+  EXPECT_EQ(robots[0]["outcome"], "passed");
+  EXPECT_EQ(robots[1]["name"], "right");
+  EXPECT_EQ(robots[1]["outcome"], "failed");
+  EXPECT_TRUE(robots[2]["outcome"].is_null());
+  EXPECT_THAT(TellJunit(occasion_, expect_, judged_),
+              HasSubstr("<property name=\"verdict of right\" value=\"failed\"/>"));
+}
+
 TEST_F(OutputsTest, PageAndJsonHaveTheDamageSheetWhereThereIsOne) {
   EXPECT_THAT(TellJson(occasion_, expect_, judged_), HasSubstr("\"damage\": null"));
   EXPECT_THAT(TellHtml(occasion_, expect_, judged_), Not(HasSubstr("done to the robot")));
-  judged_.damage = {.sheet = {.motors = {{.at_torque_limit = 0.25}}, .falls = 2},
-                    .joints = {"<hip>"},
-                    .torque_limit = {23.7},
-                    .speed_limit = {30},
-                    .jump_limit = {0.4},
-                    .limits = {{"shock", 39, "m/s²", "assumed: <so>"}}};
+  judged_.damage = {record::Damage{.sheet = {.motors = {{.at_torque_limit = 0.25}}, .falls = 2},
+                                   .joints = {"<hip>"},
+                                   .torque_limit = {23.7},
+                                   .speed_limit = {30},
+                                   .jump_limit = {0.4},
+                                   .limits = {{"shock", 39, "m/s²", "assumed: <so>"}}}};
   const auto damage = nlohmann::json::parse(TellJson(occasion_, expect_, judged_))["damage"];
   EXPECT_EQ(damage["falls"], 2);
   EXPECT_EQ(damage["motors"][0]["joint"], "<hip>");
@@ -86,21 +104,21 @@ TEST_F(OutputsTest, PageAndJsonHaveTheDamageSheetWhereThereIsOne) {
 }
 
 TEST_F(OutputsTest, ThePageHoldsWhatWasReachedAgainstItsLimit) {
-  judged_.damage = {.sheet = {.motors = {{.hottest_c = 30, .largest_jump = 0.5},
-                                         {.at_torque_limit = 0.25, .hottest_c = 41}},
-                              .energy = 2e4,
-                              .shock = 40,
-                              .falls = 0},
-                    .joints = {"hip", "<calf>"},
-                    .torque_limit = {23.7, 45},
-                    .speed_limit = {30, 16},
-                    .jump_limit = {0.6, 0.4},
-                    .limits = {{"shock", 39, "m/s²", ""},
-                               {"energy", 8e5, "J", ""},
-                               {"falls", 0, "", ""},
-                               {"at_torque_limit", std::nan(""), "N·m", ""},
-                               {"hottest", 105, "°C", ""},
-                               {"largest_jump", std::nan(""), "rad", ""}}};
+  judged_.damage = {record::Damage{.sheet = {.motors = {{.hottest_c = 30, .largest_jump = 0.5},
+                                                        {.at_torque_limit = 0.25, .hottest_c = 41}},
+                                             .energy = 2e4,
+                                             .shock = 40,
+                                             .falls = 0},
+                                   .joints = {"hip", "<calf>"},
+                                   .torque_limit = {23.7, 45},
+                                   .speed_limit = {30, 16},
+                                   .jump_limit = {0.6, 0.4},
+                                   .limits = {{"shock", 39, "m/s²", ""},
+                                              {"energy", 8e5, "J", ""},
+                                              {"falls", 0, "", ""},
+                                              {"at_torque_limit", std::nan(""), "N·m", ""},
+                                              {"hottest", 105, "°C", ""},
+                                              {"largest_jump", std::nan(""), "rad", ""}}}};
   const auto html = [this] { return TellHtml(occasion_, expect_, judged_); };
   for (const char* row : {
            "shock</td><td class=\"number beyond\">40 m/s²</td><td class=\"number\">39 m/s²</td>",
@@ -114,7 +132,7 @@ TEST_F(OutputsTest, ThePageHoldsWhatWasReachedAgainstItsLimit) {
     EXPECT_THAT(html(), HasSubstr(row));
   }
   // Of the motor that jumps less, that is too much.
-  judged_.damage->sheet.motors[1].largest_jump = 0.45;
+  judged_.damage[0]->sheet.motors[1].largest_jump = 0.45;
   EXPECT_THAT(html(), HasSubstr("largest_jump</td><td class=\"number beyond\">0.5 rad, hip</td>"));
 }
 
@@ -123,9 +141,8 @@ TEST_F(OutputsTest, WhatDidNotEndInItsTimeHasFailed) {
   judged_.rulings.resize(1);
   judged_.rulings[0].verdict.outcome = judge::Outcome::kPassed;
   expect_.list.resize(1);
-  occasion.stopped = "did not end within 8 s of wall time";
   EXPECT_THAT(TellHtml(occasion, expect_, judged_), HasSubstr("<h1><span class=\"word passed\">"));
-  occasion.overlong = true;
+  judged_.failures = {{"the rehearsal", "did not end within 8 s of wall time"}};
   EXPECT_THAT(TellHtml(occasion, expect_, judged_), HasSubstr("<h1><span class=\"word failed\">"));
   EXPECT_THAT(TellLines(occasion, expect_, judged_, false),
               HasSubstr("FAIL  the rehearsal did not end within 8 s of wall time"));
@@ -168,30 +185,6 @@ TEST_F(OutputsTest, ThePageHasThePicturesInItself) {
   const std::string name = Escaped(expect_.list[0].name);
   EXPECT_THAT(TellHtml(occasion, expect_, judged_),
               HasSubstr("<figcaption>1.500 s: " + name + "</figcaption>"));
-}
-
-TEST(SvgPlotTest, DrawsTheLimitTheWindowAndTheInstant) {
-  const std::string svg = DrawSvg({.label = "a < b",
-                                   .to = 2,
-                                   .points = {{0, 1}, {1, 3}},
-                                   .limits = {2},
-                                   .window = std::pair(0.5, 1.5),
-                                   .at = 1,
-                                   .events = {{1, "x & y"}}});
-  for (const char* part : {"class=\"limit\"", "class=\"window\"", "class=\"instant\"",
-                           "class=\"signal\"", "a &lt; b", "x &amp; y"}) {
-    EXPECT_THAT(svg, HasSubstr(part));
-  }
-  EXPECT_THAT(svg, Not(HasSubstr("nan")));
-}
-
-TEST(SvgPlotTest, DrawsASignalThatNeverChanges) {
-  EXPECT_THAT(DrawSvg({.points = {{0, 0}, {1, 0}}}), Not(HasSubstr("nan")));
-}
-
-TEST(TicksTest, AreRoundAndInside) {
-  EXPECT_EQ(Ticks(-0.1, 1.1, 4), (std::vector<double>{0, 0.5, 1}));
-  EXPECT_EQ(Ticks(0, 40, 4), (std::vector<double>{0, 10, 20, 30, 40}));
 }
 
 TEST(ShellTextTest, QuotesWhatAShellWouldTakeApart) {

@@ -10,11 +10,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/yaml_document.h"
 #include "record/cdr_field.h"
 #include "record/truth.h"
 #include "rehearse/expectations.h"
 #include "rehearse/judged.h"
+#include "schema/yaml_document.h"
 #include "tests/config/config_fixture.h"
 
 namespace understudy::rehearse {
@@ -31,7 +31,7 @@ inline Names TinyNames() {
 
 // Reads the expectation(s) of a list in YAML.
 inline Expectations ReadExpect(const std::string& list) {
-  return ReadExpectations(config::ParseYaml(list, "e"), TinyNames());
+  return ReadExpectations(schema::ParseYaml(list, "e"), TinyNames());
 }
 
 // Gives messages to an audience, as a recorder or a file does.
@@ -46,9 +46,11 @@ class Stage {
                         .qvel = {3, 4, 0, 0, 0, 0, 0, 0},
                         .tau = {10, -20},
                         .foot_force = {50, 70}};
-    record::BytesOut bytes;
-    record::EncodeTruth(truth, &bytes);
-    Tell(Channel(record::kTruthTopic), record::kTruthType, at, bytes.span());
+    Tell(truth);
+  }
+  // Joints with these angles [rad] and torques [N·m] on a base that is fixed.
+  void Joints(double at, const std::vector<double>& q, const std::vector<double>& tau) {
+    Tell({.time = at, .qpos = q, .qvel = std::vector<double>(q.size()), .tau = tau});
   }
   void Event(double at, const std::string& kind, const std::string& detail = "{}") {
     record::BytesOut bytes;
@@ -90,6 +92,11 @@ class Stage {
   }
 
  private:
+  void Tell(const record::Truth& truth) {
+    record::BytesOut bytes;
+    record::EncodeTruth(truth, &bytes);
+    Tell(Channel(record::kTruthTopic), record::kTruthType, truth.time, bytes.span());
+  }
   static constexpr std::uint64_t kStart = 1'000'000'000'000;
 
   static record::McapChannel Channel(const std::string& topic) {

@@ -33,12 +33,12 @@ TEST_F(ScenarioTest, SetsWhatARunDoes) {
                                  "settings: {gate: {timeout: 0.5}}\n"
                                  "faults: [{component: imu, fault: off, at: 3}]\n"
                                  "script: [{at: 0.5, reset: }]\n");
-  EXPECT_EQ(scenario.config.start.pose, "standing");
+  EXPECT_EQ(scenario.config.robots[0].start.pose, "standing");
   EXPECT_EQ(scenario.config.randomization.seed, 7);
   EXPECT_EQ(scenario.config.scene, "slopes");
-  EXPECT_EQ(scenario.config.gate.timeout, 0.5);
-  ASSERT_EQ(scenario.config.faults.size(), 1U);
-  EXPECT_EQ(scenario.config.faults[0].at, 3);
+  EXPECT_EQ(scenario.config.robots[0].gate.timeout, 0.5);
+  ASSERT_EQ(scenario.config.robots[0].faults.size(), 1U);
+  EXPECT_EQ(scenario.config.robots[0].faults[0].at, 3);
   EXPECT_EQ(scenario.config.time.duration, 1);
   EXPECT_EQ(scenario.config.time.speed, 0);
   EXPECT_EQ(scenario.script.events.size(), 1U);
@@ -47,7 +47,7 @@ TEST_F(ScenarioTest, SetsWhatARunDoes) {
 TEST_F(ScenarioTest, ChoosesARevisionOfTheRobot) {
   const std::string text =
       "scenario: S\nrobot: g1\nrevision: 6\nduration: 1\nexpect: [{always: base.height > 0}]\n";
-  EXPECT_EQ(Load(text).config.robot.revision, "6");
+  EXPECT_EQ(Load(text).config.robots[0].spec.revision, "6");
   EXPECT_THAT(ErrorIn("revision: 99\n" + std::string(kSmall)),
               HasSubstr("s.yaml:1: robot.revision"));
 }
@@ -62,7 +62,7 @@ TEST_F(ScenarioTest, TakesProgramAndSettingsOfTheCommandLine) {
                                  {.command = {"false", "1"}, .sets = {"gate.timeout=0.25"}});
   EXPECT_EQ(scenario.program->command, (std::vector<std::string>{"false", "1"}));
   EXPECT_EQ(scenario.program->at, 0.5);
-  EXPECT_EQ(scenario.config.gate.timeout, 0.25);
+  EXPECT_EQ(scenario.config.robots[0].gate.timeout, 0.25);
 }
 
 TEST_F(ScenarioTest, FindsASceneBesideItself) {
@@ -86,11 +86,40 @@ TEST_F(ScenarioTest, SaysWhereAndWhatIsWrongWithTheNearestWord) {
       {std::string(kSmall) + "script: [{at: 1, resett: }]", "did you mean 'reset'?"},
       {std::string(kSmall) + "program: {comand: [a]}", "did you mean 'command'?"},
       {std::string(kSmall) + "program: {command: a}", "command: expected a list of words"},
-      {std::string(kSmall) + "program: {command: [a], by: axe}", "by: expected term or kill"},
+      {std::string(kSmall) + "program: {command: [a], by: axe}",
+       "s.yaml:5: program.by: expected one of term, kill, got 'axe'"},
       {std::string(kSmall) + "program: {command: [a], at: 2, until: 1}",
        "would end before it starts"},
   };
   for (const auto& [text, error] : kRows) EXPECT_THAT(ErrorIn(text), HasSubstr(error)) << text;
+}
+
+TEST_F(ScenarioTest, PlaysSeveralRobotsInOneWorldEachWithItsOwnKeys) {
+  const std::string robots =
+      "scenario: Two\nduration: 1\nstart: standing\n"
+      "robots: {left: {robot: go2}, right: {robot: g1, start: {pose: hanging}, profile: ideal}}\n"
+      "script: [{at: 0.5, robot: right, when: 'left:base.height > 0.2', crane.lower: 0.1}]\n";
+  const Scenario scenario = Load(
+      robots + "expect: [{always: 'left:base.tilt < 30 deg'}, {never: 'right:refused happens'}]\n");
+  ASSERT_EQ(scenario.config.robots.size(), 2U);
+  EXPECT_EQ(scenario.config.robots[0].start.pose, "standing");
+  EXPECT_EQ(scenario.config.robots[1].start.pose, "hanging");
+  EXPECT_EQ(scenario.config.robots[1].network.domain, 1);
+  EXPECT_EQ(scenario.script.events[0].request.robot, 1U);
+  EXPECT_EQ(scenario.expect.signals[1].robot, 1U);
+  EXPECT_EQ(scenario.expect.robots, (std::vector<std::string>{"left", "right"}));
+  const auto file = folder_.Write("e.yaml",
+                                  "robots: {a: {robot: go2}, b: {robot: go2}}\n"
+                                  "expect: [{always: 'b:torque(FR_calf) < 50'}]\n");
+  EXPECT_EQ(LoadStandard(file, "", "").expect.signals[0].robot, 1U);
+
+  EXPECT_THAT(ErrorIn(robots + "expect: [{always: base.tilt < 30 deg}]\n"),
+              HasSubstr("s.yaml:6: always: 'base.tilt' is of which robot"));
+  EXPECT_THAT(ErrorIn(robots + "robot: go2\nexpect: [{always: 'left:base.x < 3'}]\n"),
+              HasSubstr("robots: not beside robot"));
+  EXPECT_THAT(ErrorIn(robots + "stages: [{name: a, torque: 1}]\n"
+                               "expect: [{always: 'left:base.x < 3'}]\n"),
+              HasSubstr("stages: only in a scenario of one robot"));
 }
 
 TEST_F(ScenarioTest, ItsExpectationsAloneNeedARobotFromSomewhere) {
@@ -131,7 +160,8 @@ TEST_F(ScenarioTest, JudgesARecordingByTheLimitToo) {
 }
 
 TEST(ReferenceTest, IsThatOfTheDocument) {
-  std::ifstream stream(std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "docs" / "rehearsing.md");
+  std::ifstream stream(std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "docs" / "reference" /
+                       "scenarios.md");
   const std::string document{std::istreambuf_iterator<char>(stream), {}};
   EXPECT_THAT(document, HasSubstr(ScenarioReference()));
   EXPECT_THAT(document, HasSubstr(ExpectationsReference()));

@@ -9,7 +9,7 @@ namespace {
 using testing::HasSubstr;
 
 std::vector<StageSpec> StagesOf(const std::string& list) {
-  return ReadStages(config::ParseYaml(list, "s"));
+  return ReadStages(schema::ParseYaml(list, "s"));
 }
 
 TEST(StagesTest, HaveTheLimitsThatTheyName) {

@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Plan Read(const std::string& vary) { return Plan(config::ParseYaml(vary, "v")); }
+Plan Read(const std::string& vary) { return Plan(schema::ParseYaml(vary, "v")); }
 
 std::vector<std::string> All(const Plan& plan) {
   std::vector<std::string> all;
@@ -119,7 +119,7 @@ TEST(PlanTest, SamplesHaveEachListedValueAndTheEndsOfRanges) {
 
 TEST(PlanTest, SaysWhereAndWhatIsWrongWithTheNearestWord) {
   const std::pair<std::string, const char*> kRows[] = {
-      {"gird: {a: [1]}", "v:1: key 'gird': unknown; did you mean 'grid'?"},
+      {"gird: {a: [1]}", "v:1: key 'vary.gird': unknown; did you mean 'grid'?"},
       {"[1]", "v:1: vary: expected a mapping"},
       {"seed: 1", "v:1: vary.seed: only beside random or latin"},
       {"random: {a: [1]}", "v:1: vary.runs: missing"},
@@ -169,11 +169,11 @@ TEST_F(VariedScenarioTest, ARunHasItsValues) {
       "vary: {list: [{robot: go2, terrain.friction: 0.4, $force: 60, $least: 0.1},\n"
       "              {robot: b2, terrain.friction: 0.7, $force: -5, $least: 0.2}]}\n";
   const Scenario first = Load(vary, 1), second = Load(vary, 2);
-  EXPECT_EQ(first.config.robot.name, "go2");
-  EXPECT_EQ(second.config.robot.name, "b2");
+  EXPECT_EQ(first.config.robots[0].spec.name, "go2");
+  EXPECT_EQ(second.config.robots[0].spec.name, "b2");
   EXPECT_EQ(first.config.terrain.friction, 0.4);
   EXPECT_EQ(second.config.terrain.friction, 0.7);
-  EXPECT_EQ(second.config.gate.timeout, 0.5);
+  EXPECT_EQ(second.config.robots[0].gate.timeout, 0.5);
   EXPECT_THAT(emulator::Describe(second.script.events[0].request), HasSubstr("-5"));
   EXPECT_EQ(second.expect.list[0].asks, "always base.height > 0.2");
   EXPECT_EQ(second.run, 2U);

@@ -24,7 +24,7 @@ float FloatAt(const std::array<std::uint8_t, 40>& bytes, std::size_t at) {
   return std::bit_cast<float>(four);
 }
 
-// The table of docs/remote.md, with the bits as in the vendor's unitree_joystick.hpp.
+// The table of docs/reference/remote.md, with the bits as in the vendor's unitree_joystick.hpp.
 TEST(GamepadMappingTest, EveryButtonIsItsKey) {
   struct Row {
     GamepadButton button;

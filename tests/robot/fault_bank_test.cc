@@ -136,6 +136,20 @@ TEST_F(FaultBankTest, DrawsTheSameForEqualSeedsAndOtherwiseForOthers) {
 }
 
 // Of two alike in everything but that, over 200 ticks.
+TEST_F(FaultBankTest, HasTopicsOfServicesBehindAllOtherComponents) {
+  FaultBank bank(spec_, {"rt/lowcmd", "rt/lowstate"}, {"sport"}, 1, {"rt/api/sport/response"});
+  const std::vector<std::string>& names = bank.components();
+  EXPECT_EQ(names.back(), "rt/api/sport/response");
+  // So each other component draws as it would without them.
+  const FaultBank without(spec_, {"rt/lowcmd", "rt/lowstate"}, {"sport"}, 1);
+  EXPECT_EQ(without.components(), std::vector<std::string>(names.begin(), names.end() - 1));
+  ASSERT_EQ(bank.Begin("rt/api/sport/response", "off", nullptr, {}, 0).why(), "");
+  bank.Step(0);
+  ASSERT_EQ(bank.effects().links.size(), 3U);
+  EXPECT_TRUE(bank.effects().links[2].drops);
+  EXPECT_FALSE(bank.effects().links[1].drops);
+}
+
 TEST_F(FaultBankTest, DrawsForEachComponentAndKindByItself) {
   ASSERT_EQ(BeginBy("rt/lowcmd", "lost", 0.5), "");
   ASSERT_EQ(BeginBy("rt/lowstate", "lost", 0.5), "");
@@ -155,12 +169,13 @@ TEST_F(FaultBankTest, RefusesAComponentThatIsNotThereWithTheNearest) {
   EXPECT_EQ(Begin("imv", "off"), "the robot has no 'imv'; did you mean 'imu'?");
   EXPECT_EQ(Begin("flux capacitor", "off"),
             "the robot has no 'flux capacitor'; expected a joint, JOINT.encoder, imu, foot.NAME, "
-            "battery, remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard or mcu");
+            "battery, remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard, mcu, lidar or "
+            "camera.NAME");
   EXPECT_NE(bank_.Clear("imv").why(), "");
 }
 
 TEST_F(FaultBankTest, RefusesAFaultThatSuchAComponentNeverHasWithThoseItHas) {
-  EXPECT_EQ(Begin("battery", "limp"), "no battery is ever 'limp' (valid: weak, empty)");
+  EXPECT_EQ(Begin("battery", "limp"), "'limp' is no fault of a battery; valid: weak, empty");
 }
 
 TEST_F(FaultBankTest, RefusesMagnitudesBeyondTheKindsLimits) {
@@ -233,7 +248,7 @@ TEST_F(FaultBankTest, HasWhatMessagesOfTheFamilyCanShow) {
   FaultBank bank(hg, {}, {}, 1);
   EXPECT_TRUE(bank.Begin("mainboard", "off", nullptr, {}, 0).ok());
   EXPECT_EQ(bank.Begin("mainboard", "hot", nullptr, {}, 0).why(),
-            "no mainboard is ever 'hot' (valid: off)");
+            "'hot' is no fault of a mainboard; valid: off");
   EXPECT_FALSE(bank.Begin("mcu", "off", nullptr, {}, 0).ok());
   EXPECT_EQ(Begin("mainboard", "hot"), "");
   EXPECT_EQ(Begin("mcu", "off"), "");

@@ -10,9 +10,10 @@ namespace understudy::robot {
 namespace {
 
 TEST(FaultsReferenceTest, IsWhatDocsFaultsMdHas) {
-  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/faults.md", std::ios::binary);
+  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/reference/faults.md", std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(file), {});
-  EXPECT_EQ(text, FaultsReference()) << "write it anew: understudy faults > docs/faults.md";
+  EXPECT_EQ(text, FaultsReference())
+      << "write it anew: understudy faults > docs/reference/faults.md";
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ Effects Nothing() {
   effects.services.resize(1);
   effects.buses.resize(1);
   effects.fans.resize(1);
+  effects.cameras.resize(1);
   return effects;
 }
 
@@ -53,6 +54,9 @@ std::vector<double> Flat(const Effects& effects) {
   for (const BusEffects& e : effects.buses) Add(&all, {Is(e.drops), e.delay});
   for (const FanEffects& e : effects.fans) all.push_back(e.share);
   Add(&all, {Is(effects.board.dead), Is(effects.board.mute), effects.board.heat_c});
+  const LidarEffects& lidar = effects.lidar;
+  Add(&all, {Is(lidar.dead), Is(lidar.blind), lidar.lost, lidar.dirt, lidar.noise});
+  for (const CameraEffects& e : effects.cameras) Add(&all, {Is(e.frozen), Is(e.lost), e.light});
   return all;
 }
 
@@ -94,8 +98,10 @@ TEST_P(FaultTest, AddsToWhatIsWrongBesideIt) {
   Effects twice = once;
   Act(1, 1, &twice, 0.05);
   // What is lost is lost, and a charge that has gone has gone.
-  const bool shares_messages = GetParam().unit.empty() && (GetParam().of == Component::kTopic ||
-                                                           GetParam().of == Component::kBus);
+  const bool loses_pictures = GetParam().of == Component::kCamera && GetParam().name == "lossy";
+  const bool shares_messages =
+      loses_pictures || (GetParam().unit.empty() &&
+                         (GetParam().of == Component::kTopic || GetParam().of == Component::kBus));
   const bool counts = GetParam().has_magnitude() && !shares_messages && GetParam().name != "empty";
   EXPECT_EQ(Flat(twice) != Flat(once), counts);
 }

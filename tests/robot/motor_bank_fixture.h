@@ -40,6 +40,11 @@ inline RobotCommand Torques(double first, double second, double third) {
   return command;
 }
 
+inline RobotCommand InMotorSpace(RobotCommand command) {
+  for (MotorCommand& motor : command.motors) motor.space = JointSpace::kMotors;
+  return command;
+}
+
 class MotorBankTest : public testing::Test {
  protected:
   static constexpr double kDt = 0.05;  // two steps to a period of heat

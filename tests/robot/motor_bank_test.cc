@@ -73,8 +73,7 @@ TEST_F(MotorBankTest, LetsAllOfKdActUnderCatalogueDynamics) {
 TEST_F(MotorBankTest, LetsAllOfKdActOnMotorsThatAreCommandedThemselves) {
   const RobotSpec spec = SpecWithKdShares(DynamicsSource::kFitted);
   MotorBank bank(spec, kDt);
-  RobotCommand command = Brake();
-  command.joint_space = JointSpace::kMotors;
+  const RobotCommand command = InMotorSpace(Brake());
   dq_ = {1, 1, 1};
   const auto tau = Step(&bank, command);
   EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-10, -20, -80}));
@@ -99,8 +98,7 @@ TEST_F(MotorBankTest, ClampsNoAngleOfAPairsOwnMotors) {
   RobotSpec spec = Spec();
   for (MotorSpec& motor : spec.motors) motor.q_clamp = {-0.5, 0.25};
   MotorBank clamping(spec, kDt);
-  RobotCommand command = Torques(0, 0, 0);
-  command.joint_space = JointSpace::kMotors;
+  RobotCommand command = InMotorSpace(Torques(0, 0, 0));
   command.motors[1].q = command.motors[2].q = 0.7;
   command.motors[1].kp = command.motors[2].kp = 10;
   EXPECT_EQ(TorquesOf(&clamping, command), TorquesOf(&bank_, command));

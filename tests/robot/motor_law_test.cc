@@ -10,6 +10,17 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+TEST(AsksForTorqueTest, OnlyWhatIsMoreThanABrake) {
+  EXPECT_FALSE(AsksForTorque({.enabled = true, .kd = 3}));
+  EXPECT_FALSE(AsksForTorque({.enabled = true, .q = kNoPosition, .kp = 20}));
+  EXPECT_FALSE(AsksForTorque({.enabled = true, .dq = kNoVelocity, .kd = 3}));
+  EXPECT_FALSE(AsksForTorque({.enabled = true, .dq = 1})) << "without a gain";
+  EXPECT_FALSE(AsksForTorque({.enabled = false, .tau = 3}));
+  EXPECT_TRUE(AsksForTorque({.enabled = true, .kp = 20}));
+  EXPECT_TRUE(AsksForTorque({.enabled = true, .tau = -0.1}));
+  EXPECT_TRUE(AsksForTorque({.enabled = true, .dq = 1, .kd = 3}));
+}
+
 TEST(DesiredTorqueTest, IsFeedForwardPlusSpringPlusDamper) {
   const MotorCommand command{.enabled = true, .q = 3, .dq = 5, .tau = 1, .kp = 10, .kd = 2};
   // 1 + 10 (3 - 2) + 2 (5 - 4)

@@ -52,8 +52,8 @@ TEST_F(MotorBankTest, LimitsAMotorOfAPairByItsOwnSpeed) {
 }
 
 TEST_F(MotorBankTest, MapsMotorSpaceTorquesToTheSerialJoints) {
-  RobotCommand command = Torques(1, 2, 3);  // B = 2 is in the pitch slot, A = 3 in the roll slot
-  command.joint_space = JointSpace::kMotors;
+  RobotCommand command =
+      InMotorSpace(Torques(1, 2, 3));  // B = 2 is in the pitch slot, A = 3 in the roll slot
   const auto tau = Step(&bank_, command);
   EXPECT_EQ(tau[0], 1);  // no part of the pair
   EXPECT_EQ(tau[1], 5);  // A + B
@@ -61,8 +61,7 @@ TEST_F(MotorBankTest, MapsMotorSpaceTorquesToTheSerialJoints) {
 }
 
 TEST_F(MotorBankTest, GivesTheSamePowerOnBothSidesOfAParallelJoint) {
-  RobotCommand command = Torques(0, -7, 4);
-  command.joint_space = JointSpace::kMotors;
+  RobotCommand command = InMotorSpace(Torques(0, -7, 4));
   dq_ = {0, 0.3, -1.1};
   const auto tau = Step(&bank_, command);
   const auto rate = ParallelJoint(spec_.parallel[0]).ToMotors({.pitch = dq_[1], .roll = dq_[2]});
@@ -72,11 +71,10 @@ TEST_F(MotorBankTest, GivesTheSamePowerOnBothSidesOfAParallelJoint) {
 // The position of A and B at pitch 0.1, roll 0.2 is 0.5 and -0.3: motors that are told to be there
 // want nothing.
 TEST_F(MotorBankTest, MeasuresAnglesAndRatesInMotorSpace) {
-  RobotCommand command;
-  command.joint_space = JointSpace::kMotors;
-  command.motors = {{},
-                    {.enabled = true, .q = -0.3, .dq = -3, .kp = 100, .kd = 10},
-                    {.enabled = true, .q = 0.5, .dq = 5, .kp = 100, .kd = 10}};
+  const RobotCommand command =
+      InMotorSpace({.motors = {{},
+                               {.enabled = true, .q = -0.3, .dq = -3, .kp = 100, .kd = 10},
+                               {.enabled = true, .q = 0.5, .dq = 5, .kp = 100, .kd = 10}}});
   q_ = {0, 0.1, 0.2};
   dq_ = {0, 1, 2};
   const auto tau = Step(&bank_, command);
@@ -88,8 +86,7 @@ TEST_F(MotorBankTest, IgnoresMotorSpaceWhereNothingIsParallel) {
   RobotSpec spec = Spec();
   spec.parallel.clear();
   MotorBank bank(spec, kDt);
-  RobotCommand command = Torques(1, 2, 3);
-  command.joint_space = JointSpace::kMotors;
+  RobotCommand command = InMotorSpace(Torques(1, 2, 3));
   const auto tau = Step(&bank, command);
   EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{1, 2, 3}));
 }
@@ -98,8 +95,7 @@ TEST_F(MotorBankTest, ScalesGainsInMotorSpaceToo) {
   RobotSpec spec = Spec();
   spec.motors[1].kp_scale = 0.5;  // of B, which is in the pitch slot
   MotorBank bank(spec, kDt);
-  RobotCommand command = Torques(0, 0, 0);
-  command.joint_space = JointSpace::kMotors;
+  RobotCommand command = InMotorSpace(Torques(0, 0, 0));
   command.motors[1].q = 1;
   command.motors[1].kp = 100;
   const auto tau = Step(&bank, command);

@@ -13,11 +13,11 @@ using testing::IsEmpty;
 // Worked out apart: FNV-1a of quantity, 0, element, plus the seed, seeds a 64-bit Mersenne Twister;
 // the upper 53 bits of what it gives first are the fraction of the range.
 TEST(DiceTest, ThrowTheSameForTheSameSeedOnEveryMachine) {
-  Dice dice(7);
-  EXPECT_EQ(dice.Draw("mass", "base_link", 0.9, 1.1), 1.071158404854135);
-  EXPECT_EQ(dice.Draw("mass", "FL_hip", 0.9, 1.1), 0.9088873172354565);
-  EXPECT_EQ(dice.Draw("friction", "", 0, 1), 0.6367333097963079);
-  EXPECT_EQ(Dice(8).Draw("mass", "base_link", 0.9, 1.1), 1.099605042037077);
+  Randomizer randomizer(7);
+  EXPECT_EQ(randomizer.Draw("mass", "base_link", 0.9, 1.1), 1.071158404854135);
+  EXPECT_EQ(randomizer.Draw("mass", "FL_hip", 0.9, 1.1), 0.9088873172354565);
+  EXPECT_EQ(randomizer.Draw("friction", "", 0, 1), 0.6367333097963079);
+  EXPECT_EQ(Randomizer(8).Draw("mass", "base_link", 0.9, 1.1), 1.099605042037077);
 }
 
 TEST(DiceTest, ThrowOtherwiseForEachSeedQuantityAndElement) {
@@ -25,7 +25,7 @@ TEST(DiceTest, ThrowOtherwiseForEachSeedQuantityAndElement) {
   for (const int seed : {0, 1, 2, 2147483647}) {
     for (const char* quantity : {"mass", "inertia"}) {
       for (const char* element : {"", "a", "b"}) {
-        values.insert(Dice(seed).Draw(quantity, element, 0, 1));
+        values.insert(Randomizer(seed).Draw(quantity, element, 0, 1));
       }
     }
   }
@@ -34,11 +34,11 @@ TEST(DiceTest, ThrowOtherwiseForEachSeedQuantityAndElement) {
 
 // "ab" + "c" is not "a" + "bc".
 TEST(DiceTest, TellAQuantityFromItsElement) {
-  EXPECT_NE(Dice(1).Draw("ab", "c", 0, 1), Dice(1).Draw("a", "bc", 0, 1));
+  EXPECT_NE(Randomizer(1).Draw("ab", "c", 0, 1), Randomizer(1).Draw("a", "bc", 0, 1));
 }
 
 TEST(DiceTest, DoNotMindWhatElseIsDrawn) {
-  Dice alone(3), together(3);
+  Randomizer alone(3), together(3);
   together.Draw("friction", "", 0, 1);
   together.Draw("mass", "a", 0, 1);
   EXPECT_EQ(alone.Draw("mass", "b", 0, 1), together.Draw("mass", "b", 0, 1));
@@ -48,7 +48,7 @@ TEST(DiceTest, CoverTheirRangeEvenlyAndNeverLeaveIt) {
   constexpr int kCells = 10, kSeeds = 10000;
   std::vector<int> cells(kCells);
   for (int seed = 0; seed < kSeeds; ++seed) {
-    const double value = Dice(seed).Draw("mass", "base_link", -2, 3);
+    const double value = Randomizer(seed).Draw("mass", "base_link", -2, 3);
     ASSERT_GE(value, -2);
     ASSERT_LT(value, 3);
     ++cells[static_cast<std::size_t>((value + 2) / 5 * kCells)];
@@ -58,21 +58,21 @@ TEST(DiceTest, CoverTheirRangeEvenlyAndNeverLeaveIt) {
 }
 
 TEST(DiceTest, GiveTheValueItselfWhereLeastIsMost) {
-  EXPECT_EQ(Dice(1).Draw("delay", "", 0.003, 0.003), 0.003);
+  EXPECT_EQ(Randomizer(1).Draw("delay", "", 0.003, 0.003), 0.003);
 }
 
 TEST(DiceTest, DrawNothingFromAnEmptyRange) {
-  Dice dice(1);
-  EXPECT_EQ(dice.DrawOr("mass", "a", {}, 42), 42);
-  EXPECT_THAT(dice.draws().values, IsEmpty());
+  Randomizer randomizer(1);
+  EXPECT_EQ(randomizer.DrawOr("mass", "a", {}, 42), 42);
+  EXPECT_THAT(randomizer.draws().values, IsEmpty());
 }
 
 TEST(DiceTest, NoteWhatTheyThrow) {
-  Dice dice(5);
-  const double friction = dice.Draw("friction", "", 0.5, 1.5);
-  const double mass = dice.Draw("mass", "trunk", 0.5, 1.5);
-  EXPECT_EQ(dice.draws().seed, 5);
-  EXPECT_THAT(dice.draws().values,
+  Randomizer randomizer(5);
+  const double friction = randomizer.Draw("friction", "", 0.5, 1.5);
+  const double mass = randomizer.Draw("mass", "trunk", 0.5, 1.5);
+  EXPECT_EQ(randomizer.draws().seed, 5);
+  EXPECT_THAT(randomizer.draws().values,
               ElementsAre(Drawn{"friction", "", friction}, Drawn{"mass", "trunk", mass}));
 }
 
@@ -91,7 +91,7 @@ TEST(TimestepsTest, AreEachDrawnAsOften) {
   const std::vector<double> steps = PossibleTimesteps({0.0005, 0.002}, {});
   ASSERT_EQ(steps.size(), 3U);
   std::map<double, int> counts;
-  for (int seed = 0; seed < 3000; ++seed) ++counts[Dice(seed).DrawOneOf("timestep", steps)];
+  for (int seed = 0; seed < 3000; ++seed) ++counts[Randomizer(seed).DrawOneOf("timestep", steps)];
   for (const double step : steps) EXPECT_NEAR(counts[step], 1000, 130) << step;
 }
 
@@ -105,8 +105,8 @@ class MotorsTest : public testing::Test {
 
   RobotSpec Randomized(const RandomizationSpec& ranges, int seed = 1) {
     RobotSpec robot = robot_;
-    Dice dice(seed);
-    RandomizeMotors(ranges, &dice, &robot);
+    Randomizer randomizer(seed);
+    RandomizeMotors(ranges, "", &randomizer, &robot);
     return robot;
   }
 

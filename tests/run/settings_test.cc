@@ -12,17 +12,17 @@
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
+#include "assembly/make_world.h"
 #include "base/errors.h"
 #include "bus/cdr.h"
 #include "bus/discovery.h"
 #include "bus/writer.h"
 #include "config/load.h"
 #include "config/reference.h"
-#include "config/yaml_document.h"
 #include "emulator/live_settings.h"
 #include "emulator/world.h"
 #include "idl/type_table.h"
-#include "run/make_world.h"
+#include "schema/yaml_document.h"
 #include "script/script.h"
 #include "server/status_json.h"
 #include "services/robot_services.h"
@@ -38,7 +38,7 @@ namespace understudy::run {
 namespace {
 
 using Settings = std::vector<std::string>;
-using config::YamlValue;
+using schema::YamlValue;
 using testing::HasSubstr;
 
 // A robot on a bus of its own, with all that a run has but the wall clock and the control socket.
@@ -46,17 +46,17 @@ class Played {
  public:
   explicit Played(config::Config config)
       : config_(std::move(config)),
-        made_(MakeWorld(&config_)),
-        port_(participant_, config_.robot, config_.physics.timestep),
+        made_(assembly::MakePhysics(&config_)),
+        port_(participant_, config_.robots[0].spec, config_.physics.timestep),
         host_(
-            participant_, services::ServicesOf(config_.robot.apis), [](const std::string&) {},
-            config_.robot.status_texts),
-        world_(std::move(made_.world), config::WorldSettingsOf(config_),
-               {{.spec = config_.robot,
-                 .settings = config::RobotSettingsOf(config_),
-                 .port = &port_,
-                 .services = &host_}},
-               &inbox_) {
+            participant_, &port_.outlets(), services::ServicesOf(config_.robots[0].spec.apis),
+            [](const std::string&) {}, config_.robots[0].spec.status_texts),
+        world_(assembly::MakeWorld(
+            std::move(made_.world), config_,
+            [this](std::size_t) {
+              return assembly::Ports{&port_, &host_};
+            },
+            &inbox_)) {
     for (const bus::TopicOnBus& topic : bus::EndpointWatch(participant_).Poll()) {
       if (const MessageType* type = FindMessageType(topic.type)) {
         heard_.try_emplace(topic, participant_, topic.topic, *type->descriptor);
@@ -64,9 +64,9 @@ class Played {
     }
   }
 
-  emulator::World& world() { return world_; }
+  emulator::World& world() { return *world_; }
   emulator::Inbox& inbox() { return inbox_; }
-  int ms() const { return static_cast<int>(std::lround(world_.time() * 1000)); }
+  int ms() const { return static_cast<int>(std::lround(world_->time() * 1000)); }
 
   template <class Msg>
   void Send(const bus::Topic<Msg>& topic, const Msg& message) {
@@ -77,7 +77,7 @@ class Played {
 
   // All messages since the start, and the status.
   std::string Said() {
-    std::string said = server::StatusJson({}, world_.status()).dump();
+    std::string said = server::StatusJson({}, world_->status(0)).dump();
     for (auto& [topic, reader] : heard_) {
       said += topic.topic + topic.type;
       reader.Take([&](const bus::CdrSample& sample) {
@@ -88,7 +88,7 @@ class Played {
   }
 
   std::string Model() const {
-    const mjModel& model = world_.physics().model();
+    const mjModel& model = world_->physics().model();
     std::string bytes(static_cast<std::size_t>(mj_sizeModel(&model)), '\0');
     mj_saveModel(&model, nullptr, bytes.data(), static_cast<int>(bytes.size()));
     return bytes;
@@ -97,11 +97,11 @@ class Played {
  private:
   config::Config config_;
   bus::Participant participant_{"lo", Domain()};
-  MadeWorld made_;
+  assembly::MadePhysics made_;
   wire::Port port_;
   services::ServiceHost host_;
   emulator::Inbox inbox_;
-  emulator::World world_;
+  std::unique_ptr<emulator::World> world_;
   std::map<bus::TopicOnBus, bus::CdrReader> heard_;
   std::map<std::string, std::shared_ptr<void>> writers_;
 
@@ -213,7 +213,7 @@ const std::map<std::string, Acts>& NamedActs() {
 
 const YamlValue& Rows() {
   static const YamlValue rows =
-      config::ReadYamlFile(UNDERSTUDY_SOURCE_DIR "/tests/run/data/settings.yaml");
+      schema::ReadYamlFile(UNDERSTUDY_SOURCE_DIR "/tests/run/data/settings.yaml");
   return rows;
 }
 const std::vector<YamlValue>& Scenes() { return Rows().Find("scenes")->items; }
@@ -272,10 +272,10 @@ class SettingsTest : public test::MujocoTest {
         {.robot = Text(scene, "robot", "go2"), .files = {}, .sets = sets}, UNDERSTUDY_SOURCE_DIR));
     if (scene.Find("look") != nullptr) return played.Model();
     const std::string script = "script: [" + Text(scene, "script", "") + "]";
-    script::Play(script::ReadScript(config::ParseYaml(script, "script"), signals::RunningNames()),
+    script::Play(script::ReadScript(schema::ParseYaml(script, "script"), signals::RunningNames()),
                  &played.world());
     if (!set.is_null()) {
-      played.inbox().Put(*emulator::ReadRequest("set", set), emulator::Inbox::WallTime::max());
+      played.inbox().Put(*emulator::ReadRequest("set", set));
     }
     const Acts& acts = NamedActs().at(Text(scene, "acts", ""));
     for (const int end = std::stoi(Text(scene, "ms", "300")); played.ms() < end;) {
@@ -301,7 +301,7 @@ TEST_P(SceneTest, IsChangedByEachSetting) {
     for (std::string& text : texts) text = SettingOf(key, text);
     EXPECT_FALSE(usual == Said(scene, texts));
     if (scene.Find("look") != nullptr || texts.size() > 1 || !emulator::FindSetting(key)) return;
-    EXPECT_FALSE(usual == Said(scene, {}, {{"key", key}, {"value", emulator::ValueOf(value)}}))
+    EXPECT_FALSE(usual == Said(scene, {}, {{"key", key}, {"value", schema::JsonOfWord(value)}}))
         << "set while it runs";
   });
   Each(scene, "refuses", [&](const std::string& key, const Settings& texts) {

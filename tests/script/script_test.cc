@@ -8,7 +8,7 @@ namespace understudy::script {
 namespace {
 
 Script ReadAll(const std::string& text) {
-  return ReadScript(config::ParseYaml(text, "s"), signals::RunningNames());
+  return ReadScript(schema::ParseYaml(text, "s"), signals::RunningNames());
 }
 std::vector<emulator::ScriptEvent> Read(const std::string& text) { return ReadAll(text).events; }
 std::string ErrorIn(const std::string& event) {
@@ -160,14 +160,62 @@ TEST(ScriptTest, NamesTheNearestOfAnUnknownKey) {
               testing::StartsWith("s:2: unknown key 'robot'"));
 }
 
+TEST(ScriptTest, NamesTheRequestOfWhichAKeyIsAPart) {
+  const std::pair<const char*, const char*> kRows[] = {
+      {"{at: 1, press: L2+B}", "s:2: unknown key 'press'; did you mean 'remote.press'?"},
+      {"{at: 1, sticks: {ly: 1}}", "s:2: unknown key 'sticks'; did you mean 'remote.sticks'?"},
+      {"{at: 1, crane: {lower: 0.1}}", "s:2: unknown key 'crane'; did you mean 'crane.lower'?"},
+      {"{at: 1, crane: attach}", "s:2: unknown key 'crane'; did you mean 'crane.attach'?"},
+      {"{at: 1, remote: on}", "s:2: unknown key 'remote'; did you mean 'remote.on'?"},
+      {"{at: 1, release: A}",
+       "s:2: unknown key 'release'; did you mean 'crane.release' or 'remote.release'?"},
+  };
+  for (const auto& [event, error] : kRows) EXPECT_EQ(ErrorIn(event), error);
+}
+
 TEST(ScriptTest, DoesNotResumeForAPausedRunPlaysNoScript) {
   EXPECT_THAT(ErrorIn("{at: 1, resume: }"), testing::StartsWith("s:2: unknown key 'resume'"));
 }
 
 TEST(ScriptTest, IsKnownByItsKey) {
-  EXPECT_TRUE(IsScript(config::ParseYaml("script: []", "s")));
-  EXPECT_FALSE(IsScript(config::ParseYaml("robot: {}", "s")));
-  EXPECT_FALSE(IsScript(config::ParseYaml("[1]", "s")));
+  EXPECT_TRUE(IsScript(schema::ParseYaml("script: []", "s")));
+  EXPECT_FALSE(IsScript(schema::ParseYaml("robot: {}", "s")));
+  EXPECT_FALSE(IsScript(schema::ParseYaml("[1]", "s")));
+}
+
+signals::Names Two() {
+  signals::Names go2{.joints = {"hip"}, .slots = {0}, .torque_limits = {1}};
+  signals::Names g1{.joints = {"waist"}, .slots = {0}, .torque_limits = {1}};
+  go2.robot = "go2";
+  g1.robot = "g1";
+  g1.number = 1;
+  go2.others = {g1};
+  return go2;
+}
+
+TEST(ScriptTest, OfSeveralRobotsEachEventNamesItsOwn) {
+  const auto read = [](const std::string& text) {
+    return ReadEvents(schema::ParseYaml(text, "s"), Two());
+  };
+  const Script script = read(
+      "[{at: 1, robot: g1, when: base.height < 1, push: {force: [1, 0, 0]}},\n"
+      " {at: 2, robot: go2, when: 'g1:torque(waist) > 1 and torque(hip) > 1', clamp: on},\n"
+      " {at: 3, pause: }]");
+  EXPECT_EQ(script.events[0].request.robot, 1U);
+  EXPECT_EQ(script.events[1].request.robot, 0U);
+  EXPECT_EQ(script.events[2].request.robot, 0U);
+  ASSERT_EQ(script.conditions.signals.size(), 3U);
+  EXPECT_EQ(script.conditions.signals[0].robot, 1U);
+  EXPECT_EQ(script.conditions.signals[1].name, "g1:torque(waist)");
+  EXPECT_EQ(script.conditions.signals[1].robot, 1U);
+  EXPECT_EQ(script.conditions.signals[2].robot, 0U);
+  EXPECT_THAT([&] { read("[{at: 1, clamp: on}]"); },
+              testing::ThrowsMessage<ConfigError>(
+                  testing::HasSubstr("robot: missing; expected one of go2, g1")));
+  EXPECT_THAT([&] { read("[{at: 1, robot: g2, clamp: on}]"); },
+              testing::ThrowsMessage<ConfigError>(testing::HasSubstr("no robot 'g2'")));
+  EXPECT_THAT([&] { read("[{at: 1, robot: g1, when: torque(hip) > 1, clamp: on}]"); },
+              testing::ThrowsMessage<ConfigError>(testing::HasSubstr("no joint 'hip'")));
 }
 
 }  // namespace

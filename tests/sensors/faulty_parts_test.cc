@@ -11,10 +11,10 @@ TEST_F(SensorsTest, KeepTheForceOfAFootThatIsStuck) {
   robot::RobotState state = Sample(&sensors);
   state.foot_force[1] = 77;
   faults_.feet[1].stuck = true;
-  SampleInto(&sensors, 201, &state);
+  SampleInto(&sensors, &state);
   EXPECT_EQ(state.foot_force[1], 77);
   faults_.feet[1].stuck = false;
-  SampleInto(&sensors, 202, &state);
+  SampleInto(&sensors, &state);
   EXPECT_NE(state.foot_force[1], 77);
 }
 
@@ -23,7 +23,7 @@ TEST_F(SensorsTest, LeaveTheReadingsOfAMotorWhosePacketIsLostAndCountIt) {
   robot::RobotState state = Sample(&sensors);
   state.motors[1].q = 7;
   faults_.motors[1].unheard = true;
-  SampleInto(&sensors, 201, &state);
+  SampleInto(&sensors, &state);
   EXPECT_EQ(state.motors[1].q, 7);
   EXPECT_EQ(state.motors[1].lost, 1U);
   EXPECT_FALSE(state.motors[1].silent);
@@ -80,7 +80,7 @@ TEST_F(SensorsTest, GoOnWithOtherErrorsAsIfTheyHadHadThemFromTheStart) {
   config.odometer.scale = 0.1;
   config.thermometer.offset_c = 3;
   Sensors sensors = Make(kTruth);
-  sensors.Follow(config);
+  sensors.Apply(config);
   const robot::RobotState told = Sample(&sensors), wanted = Sample(config);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(told.motors[i].q, wanted.motors[i].q);

@@ -93,7 +93,7 @@ TEST(FootSensorsTest, GoOnWithOtherErrorsAsIfTheyHadHadThemFromTheStart) {
   const SensorConfig config{.foot = {.offset = 4, .scale = 0.1, .cross_talk = 0.05}};
   const FootSensors wanted(config, kFeet, 0.001);
   FootSensors feet({}, kFeet, 0.001);
-  feet.Follow(config);
+  feet.Apply(config);
   const std::vector<double> forces = {100, 50, 20};
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(feet.Read(i, forces), wanted.Read(i, forces));
 }

@@ -231,7 +231,7 @@ TEST_F(ImuUnitTest, BeginsAnewWithItsBiasesBehindItsLowPassAndItsLatency) {
   const robot::ImuReading before = Run(&walked, rest_, 1);
   EXPECT_GT((before.w_WI_I - settled.w_WI_I).norm(), 0.1);
   EXPECT_GT((before.f_WI_I - settled.f_WI_I).norm(), 1);
-  walked.Follow(config_);
+  walked.Apply(config_);
   walked.Restart(rest_, kGravity);
   for (const int steps : {1, 200}) {
     const robot::ImuReading after = Run(&walked, rest_, steps);
@@ -260,7 +260,7 @@ TEST_F(ImuUnitTest, GoesOnWithOtherErrorsAsIfItHadHadThemFromTheStart) {
   const robot::ImuReading wanted = Run(&one, truth, 1);
   ImuUnit other(before, spec_, "imu", kImuStream, kDt);
   other.Restart(rest_, kGravity);
-  other.Follow(config_);
+  other.Apply(config_);
   const robot::ImuReading told = Run(&other, truth, 1);
   EXPECT_EQ(told.w_WI_I, wanted.w_WI_I);
   EXPECT_EQ(told.f_WI_I, wanted.f_WI_I);
@@ -277,7 +277,7 @@ TEST_F(ImuUnitTest, GoesOnWithOtherGainsOfItsFilter) {
   pressed.f_WI_I = {1, 0, 9.8};
   EXPECT_EQ(Run(&unit, pressed, 1000).R_WI.y(), 0);
   config_.imu.attitude_gain = 1;
-  unit.Follow(config_);
+  unit.Apply(config_);
   EXPECT_LT(Run(&unit, pressed, 1000).R_WI.y(), -0.02);
 }
 

@@ -86,7 +86,7 @@ TEST(OdometerTest, GoesOnWithOtherErrorsAndKeepsWhatItHasAddedUp) {
   for (int i = 0; i < 100; ++i) odometer.Step(truth, Heading(0), Heading(0));
   const Vector3d off = odometer.reading().p_WB - truth.p_WB;
   ASSERT_GT(off.norm(), 1e-4);
-  odometer.Follow({});
+  odometer.Apply({});
   odometer.Step(truth, Heading(0), Heading(0));
   EXPECT_EQ(odometer.reading().v_WB_W, truth.v_WB_W);
   EXPECT_EQ(odometer.reading().p_WB - truth.p_WB, off);

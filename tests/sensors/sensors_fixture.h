@@ -37,10 +37,10 @@ class SensorsTest : public test::MujocoTest {
     return command;
   }
 
-  void SampleInto(Sensors* sensors, std::int64_t tick_ms, robot::RobotState* state) {
+  void SampleInto(Sensors* sensors, robot::RobotState* state) {
     encoders_.Step(world_.robot().q(), world_.robot().dq(), faults_.encoders);
     sensors->Step(instant());
-    sensors->Sample(instant(), tick_ms, state);
+    sensors->Sample(instant(), state);
   }
   Instant instant() const {
     return {world_.robot(), encoders_, motors_, command_, battery_, board_, faults_};
@@ -53,7 +53,7 @@ class SensorsTest : public test::MujocoTest {
   Sensors Make(const SensorConfig& config) const { return Make(config, spec_); }
   robot::RobotState Sample(Sensors* sensors) {
     robot::RobotState state;
-    SampleInto(sensors, 200, &state);
+    SampleInto(sensors, &state);
     return state;
   }
   robot::RobotState Sample(const SensorConfig& config) {
@@ -67,7 +67,7 @@ class SensorsTest : public test::MujocoTest {
   robot::MotorBank motors_{spec_, 0.001};
   robot::Battery battery_{spec_.battery};
   robot::Board board_{spec_};
-  robot::Encoders encoders_{std::vector<double>(6), 1};
+  Encoders encoders_{std::vector<double>(6), 1};
   robot::Effects faults_{.motors = std::vector<robot::MotorEffects>(6),
                          .encoders = std::vector<robot::EncoderEffects>(6),
                          .feet = std::vector<robot::FootEffects>(4)};

@@ -18,7 +18,7 @@ class AccessTest : public ::testing::Test {
     return Dut({.method = "GET", .target = "/status", .host = host});
   }
 
-  Access access_{.token = "0123456789abcdef0123456789abcdef", .address = "127.0.0.1"};
+  AccessRules access_{.token = "0123456789abcdef0123456789abcdef", .address = "127.0.0.1"};
 };
 
 TEST_F(AccessTest, ATokenIs128BitsOfChance) {

@@ -54,6 +54,15 @@ TEST(BusJsonTest, TellsBetweenWhomNothingPassesAndWhy) {
   EXPECT_EQ(mismatch["why"], "type A, not B");
 }
 
+TEST(BusJsonTest, SaysWhoWouldServeWhatNobodyHereDoes) {
+  Endpoint waits = Theirs(false, "A");
+  waits.topic = "rt/utlidar/cloud";
+  const ordered_json topics = BusJson({Ours(true, "A"), waits}, {}, 0)["topics"];
+  EXPECT_EQ(topics[0]["unserved"], "");
+  EXPECT_EQ(topics[1]["unserved"],
+            "the lidar of a Go2; what of it is simulated is in docs/seeing.md");
+}
+
 // A robot listens for others of both families.
 TEST(BusJsonTest, AReaderOfAnotherTypeIsNoMismatchBesideOneThatMatches) {
   const ordered_json topic =

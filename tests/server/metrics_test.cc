@@ -23,13 +23,24 @@ class MetricsTest : public ::testing::Test {
   std::string Dut() const {
     EventHistory events(&ring_);
     events.Update(std::chrono::nanoseconds(0));
-    return MetricsText({.robot = "g1", .version = "0.1"}, status_, snapshot_, events);
+    return MetricsText({.robot = "g1", .name = name_, .version = "0.1"}, status_, snapshot_,
+                       events);
   }
+
+  std::string name_;
 
   emulator::Status status_;
   emulator::Snapshot snapshot_;
   emulator::EventRing ring_;
 };
+
+TEST_F(MetricsTest, EachSampleOfOneOfSeveralRobotsNamesIt) {
+  name_ = "left";
+  const std::string text = Dut();
+  EXPECT_THAT(text, HasSubstr("info{robot=\"left\",type=\"g1\",version=\"0.1\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("steps_total{robot=\"left\"} "));
+  EXPECT_THAT(text, HasSubstr("events_total{robot=\"left\",kind="));
+}
 
 TEST_F(MetricsTest, CountsEventsByKind) {
   for (int i = 0; i < 7; ++i) ring_.Add(emulator::EventKind::kClamp);

@@ -169,7 +169,10 @@ TEST_F(RoutesTest, WhatHappenedIsToldAtOnceAndCounted) {
 
 TEST_F(RoutesTest, TellsTheAddressOfThePanel) {
   plane_.url = "http://127.0.0.1:7707/#token=ab";
-  EXPECT_EQ(ReplyTo("GET", "/panel").body, "{\"url\":\"http://127.0.0.1:7707/#token=ab\"}\n");
+  plane_.robots = {{.name = "left", .url = plane_.url}, {.name = "right"}};
+  EXPECT_EQ(ReplyTo("GET", "/panel").body,
+            "{\"url\":\"http://127.0.0.1:7707/#token=ab\",\"robots\":[{\"name\":\"left\","
+            "\"url\":\"http://127.0.0.1:7707/#token=ab\"},{\"name\":\"right\",\"url\":\"\"}]}\n");
 }
 
 TEST_F(RoutesTest, ARefusalOfTheRobotIs409) {

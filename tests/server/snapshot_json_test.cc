@@ -106,7 +106,9 @@ TEST(SnapshotJsonTest, HasOnlyWhatIsAskedForAndThere) {
 
 TEST(SnapshotJsonTest, SaysWhatAFrictionOfZeroStandsFor) {
   emulator::Snapshot snapshot;
-  snapshot.setting_keys = {{.key = "terrain.friction", .unit = "", .does = "", .expected = ""}};
+  schema::Entry friction;
+  friction.key = "terrain.friction";
+  snapshot.setting_keys = {friction};
   const auto stands_for = [&](double setting, double least, double most) {
     snapshot.settings = {setting};
     snapshot.ground_friction = {least, most};

@@ -194,7 +194,7 @@ TEST_F(SocketsTest, AStepThatIsWaitedForHoldsUpNoOtherRequestOfItsWebSocket) {
   std::promise<emulator::Reply> waiting;
   const std::jthread tick([&](const std::stop_token& stop) {
     for (; !stop.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds{1})) {
-      inbox_.Drain({}, [&](emulator::Request* request, emulator::Reply* reply) {
+      inbox_.Drain([&](emulator::Request* request, emulator::Reply* reply) {
         if (!request->waits()) return std::optional(emulator::Answer{});
         waiting.set_value(std::move(*reply));
         return std::optional<emulator::Answer>{};
@@ -234,6 +234,28 @@ TEST_F(SocketsTest, RequestsOnTcpNeedTheToken) {
   Open("/requests?token=" + token());
 }
 
+// A client with the token of a panel on a network must not write any file of its user.
+TEST_F(SocketsTest, OnTcpARecordingHasAPlainNameOnly) {
+  const test::Ticking ticking(&inbox_, [](const emulator::Request&) { return emulator::Answer{}; });
+  client::ControlStream here = Watch("/requests");
+  for (const std::string file : {"/etc/x.mcap", "../x.mcap", "a/x.mcap", ".x.mcap", "x.txt"}) {
+    const std::string body = R"({"file": ")" + file + R"("})";
+    const std::string request = R"({"record.start": )" + body + "}";
+    const auto there = Open("/requests?token=" + token());
+    // A text, masked by zeros.
+    there->Send("\x81" + std::string(1, static_cast<char>(0x80 | request.size())) +
+                std::string(4, '\0') + request);
+    EXPECT_THAT(there->Receive("}"), HasSubstr("403")) << file;
+    const std::string length = "Content-Length: " + std::to_string(body.size()) + "\r\n";
+    const auto post = test::RawSocket::ToPort(panel_.port());
+    post->Send("POST /record/start HTTP/1.1\r\nConnection: close\r\n" + HostLine() +
+               "Authorization: Bearer " + token() + "\r\n" + length + "\r\n" + body);
+    EXPECT_THAT(post->ReceiveAll(), StartsWith("HTTP/1.1 403")) << file;
+    here.Send(request);
+    EXPECT_EQ(json::parse(here.Next())["status"], 200) << file;
+  }
+}
+
 TEST_F(SocketsTest, HangsUpOnFramesThatAreNone) {
   const test::Showing tick(&snapshots_);
   for (const std::string_view bytes :
@@ -264,7 +286,7 @@ TEST_F(SocketsTest, AMessageTooLongEndsItsWebSocketAlone) {
 }
 
 TEST_F(SocketsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
-  Start({.idle = std::chrono::milliseconds{300}});
+  Start({.silence = std::chrono::milliseconds{300}});
   const test::Showing tick(&snapshots_);
   const auto deaf = Open("/snapshots?hz=240");
   client::ControlStream other = Watch("/snapshots?hz=240");
@@ -275,7 +297,7 @@ TEST_F(SocketsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
 }
 
 TEST_F(SocketsTest, AWatcherThatReadsStays) {
-  Start({.idle = std::chrono::milliseconds{500}});
+  Start({.silence = std::chrono::milliseconds{500}});
   const test::Showing tick(&snapshots_);
   client::ControlStream stream = Watch("/snapshots?hz=100");
   for (int i = 0; i < 60; ++i) stream.Next();
@@ -307,6 +329,23 @@ TEST_F(SocketsTest, AFullDoorLeavesTheOtherOpen) {
   EXPECT_TRUE(StillServes());
 }
 
+TEST_F(SocketsTest, KeepsPlacesForTheToken) {
+  Start({.connections = 8});
+  std::list<std::unique_ptr<test::RawSocket>> strangers;
+  for (int i = 0; i < 6; ++i) strangers.push_back(Open("/events"));
+  const auto one_more = test::RawSocket::ToPort(panel_.port());
+  one_more->Send("GET /events HTTP/1.1\r\n" + HostLine() + std::string{kUpgrade});
+  EXPECT_THAT(one_more->Receive("\r\n\r\n"), StartsWith("HTTP/1.1 503"));
+  EXPECT_THAT(Ask("GET /", HostLine()), HasSubstr("<html>"));
+  const auto owner = Open("/events?token=" + token());
+  strangers.pop_front();
+  EXPECT_TRUE(test::Eventually([&] {
+    const auto next = test::RawSocket::ToPort(panel_.port());
+    next->Send("GET /events HTTP/1.1\r\n" + HostLine() + std::string{kUpgrade});
+    return next->Receive("\r\n\r\n").starts_with("HTTP/1.1 101");
+  }));
+}
+
 TEST_F(SocketsTest, OutlivesThousandsOfConnections) {
   for (int i = 0; i < 3000; ++i) test::RawSocket::ToPort(panel_.port())->Send("GET ");
   EXPECT_TRUE(
@@ -333,6 +372,10 @@ TEST(PanelSocketTest, TakesTheFirstPortThatIsFree) {
   EXPECT_GE(one.port(), kFirstPanelPort);
   EXPECT_GT(two.port(), one.port());
   EXPECT_EQ(one.host(), "127.0.0.1:" + std::to_string(one.port()));
+}
+
+TEST(PanelSocketTest, BeginsAtThePortOfTheDomain) {
+  EXPECT_GE(PanelSocket("127.0.0.1", 0, 200).port(), kFirstPanelPort + 200);
 }
 
 TEST(PanelSocketTest, APortInUseIsAnErrorThatNamesIt) {

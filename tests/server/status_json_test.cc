@@ -55,7 +55,7 @@ emulator::Status EveryFieldSet() {
   status.services.requests = 51;
   status.services.refused[static_cast<std::size_t>(services::CallRefusal::kState)] = 52;
   status.services.lost_replies = 53;
-  status.power = emulator::PowerState::kBooting;
+  status.power = robot::PowerState::kBooting;
   status.motion.dangers[static_cast<std::size_t>(robot::Danger::kHeat)].does =
       robot::Protection::kLieDown;
   status.clamped = true;
@@ -75,7 +75,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("not_finite":0,"gain":0,"motion_service":0,"no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0})";
   EXPECT_EQ(
       StatusJson(kG1, EveryFieldSet()).dump(),
-      R"({"robot":"g1","version":"1.2.3","pid":42,"log":"/tmp/a.log","ready":true,"silenced":true,"time":12.5,)"
+      R"({"robot":"g1","name":"","version":"1.2.3","pid":42,"log":"/tmp/a.log","ready":true,"silenced":true,"time":12.5,)"
       R"("steps":12500,"speed":0.5,"paused":true,"steps_left":9,)"
       R"("pace":{"real_time_factor":0.9375,"overruns":3,)"
       R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
@@ -99,7 +99,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"("script":{"done":3,"refused":1,"waiting":2,"where":"s.yaml:4","waits_for":"lowcmd arrives"},)"
           R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
           R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"
-          R"("recording":{"state":"failed","file":"/tmp/a.mcap","messages":31,"bytes":32,"dropped":33},"randomization":null})");
+          R"("recording":{"state":"failed","file":"/tmp/a.mcap","messages":31,"bytes":32,"dropped":33},"randomization":null,"unserved":[]})");
 }
 
 TEST(StatusJsonTest, NamesEveryStateOfTheGate) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/api_names.h"
+#include "services/parameter.h"
 #include "services/robot_services.h"
 #include "tests/services/services_fixture.h"
 
@@ -17,25 +18,16 @@ namespace {
 using nlohmann::json;
 
 json GoodValue(const Field& field) {
-  const double low = std::isfinite(field.low) ? field.low : 0;
-  const double high = std::isfinite(field.high) ? field.high : low;
+  const double low = std::isfinite(field.range.min) ? field.range.min : 0;
+  const double high = std::isfinite(field.range.max) ? field.range.max : low;
   const json point = {{"t_from_start", 0.1}, {"x", 0.0}, {"y", 0.0}, {"yaw", 0.0}};
-  switch (field.kind) {
-    case FieldKind::kBool:
-    case FieldKind::kFlag:
-      return true;
-    case FieldKind::kInt:
-      return static_cast<std::int64_t>(high);
-    case FieldKind::kNumber:
-      return (low + high) / 2;
-    case FieldKind::kNumbers:
-      return json(std::vector<double>(static_cast<std::size_t>(std::max(field.count, 1)), low));
-    case FieldKind::kText:
-      return "name";
-    case FieldKind::kPath:
-      return json(std::vector<json>(static_cast<std::size_t>(std::max(field.count, 1)), point));
-  }
-  return nullptr;
+  const std::size_t count = std::max<std::size_t>(field.count, 1);
+  if (field.type == &kBool || field.type == &kFlag) return true;
+  if (field.type == &schema::kWhole) return static_cast<std::int64_t>(high);
+  if (field.type == &schema::kNumber) return (low + high) / 2;
+  if (field.type == &schema::kNumbers) return json(std::vector<double>(count, low));
+  if (field.type == &kPath) return json(std::vector<json>(count, point));
+  return "name";
 }
 
 json GoodParameter(const ApiRow& row) {
@@ -46,9 +38,7 @@ json GoodParameter(const ApiRow& row) {
 }
 
 // What no field takes for its own.
-json WrongValue(const Field& field) {
-  return field.kind == FieldKind::kText ? json(7) : json("seven");
-}
+json WrongValue(const Field& field) { return field.type == &kString ? json(7) : json("seven"); }
 
 // The largest number that a client has put into a goal, of those that are clamped.
 double Largest(const authority::MotionGoal& goal) {
@@ -134,7 +124,8 @@ TEST(ApiRowsTest, TakeAGoodParameterOrSayThatNothingHerePlaysIt) {
     const ServiceReply reply = caller->Ask(row.id, GoodParameter(row).dump());
     EXPECT_NE(reply.code, kRpcApiNotImplemented);
     EXPECT_NE(reply.code, kRpcServerInternal) << caller->notice;
-    if (std::holds_alternative<NoController>(row.effect)) {
+    EXPECT_EQ(reply.picture, std::holds_alternative<GivePicture>(row.effect));
+    if (std::holds_alternative<NoController>(row.effect) || reply.picture) {
       EXPECT_NE(reply.code, 0);
       EXPECT_EQ(reply.refusal, CallRefusal::kNotSimulated);
       EXPECT_TRUE(caller->robot.book.goals.empty());
@@ -197,6 +188,7 @@ TEST(ApiRowsTest, SayWhyForEveryCodeButZero) {
 TEST(ApiRowsTest, AnswerGettersWithJson) {
   ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
     if (!OnlyReads(row) || !row.fields.empty()) return;
+    if (std::holds_alternative<GivePicture>(row.effect)) return;
     for (const char* parameter : {"", "{}"}) {
       const ServiceReply reply = caller->Ask(row.id, parameter);
       EXPECT_FALSE(json::parse(reply.data, nullptr, false).is_discarded()) << reply.data;
@@ -207,7 +199,7 @@ TEST(ApiRowsTest, AnswerGettersWithJson) {
 TEST(ApiRowsTest, RefuseAParameterThatIsMissing) {
   ForEachRow([](Caller* caller, const ServiceTable& table, const ApiRow& row) {
     for (const Field& field : row.fields) {
-      if (field.optional || IsList(row)) continue;
+      if (!field.required || IsList(row)) continue;
       json parameter = GoodParameter(row);
       parameter.erase(std::string(field.key));
       EXPECT_EQ(caller->Ask(row.id, parameter.dump()).code, ParameterCode(table, row));
@@ -228,11 +220,11 @@ TEST(ApiRowsTest, RefuseAParameterOfAnotherType) {
 TEST(ApiRowsTest, RefuseOrClampWhatIsOutOfRange) {
   ForEachRow([](Caller* caller, const ServiceTable& table, const ApiRow& row) {
     for (const Field& field : row.fields) {
-      if (!std::isfinite(field.high) || field.kind == FieldKind::kText) continue;
+      if (!std::isfinite(field.range.max)) continue;
       json parameter = GoodParameter(row);
-      parameter[std::string(field.key)] = field.high + 1000;
+      parameter[std::string(field.key)] = field.range.max + 1000;
       const std::int32_t code = caller->Ask(row.id, parameter.dump()).code;
-      if (field.beyond == OutOfRange::kRefuse) {
+      if (!field.clamped) {
         EXPECT_EQ(code, ParameterCode(table, row)) << field.key;
       } else {
         EXPECT_NE(code, ParameterCode(table, row)) << field.key;
@@ -247,7 +239,7 @@ TEST(ApiRowsTest, RefuseOrClampWhatIsOutOfRange) {
 TEST(ApiRowsTest, RefuseGarbage) {
   const std::string deep(10000, '[');
   ForEachRow([&](Caller* caller, const ServiceTable& table, const ApiRow& row) {
-    const bool needs = std::ranges::any_of(row.fields, [](const auto& f) { return !f.optional; });
+    const bool needs = std::ranges::any_of(row.fields, [](const auto& f) { return f.required; });
     if (!needs) return;
     for (const std::string_view bytes :
          {std::string_view("{"), std::string_view(deep), std::string_view("\xff\xfe"),

@@ -37,8 +37,8 @@ TEST(MotionSwitcherTest, RefusesAnUnknownName) {
 // Seen on a Go2: the busy check comes first.
 TEST(MotionSwitcherTest, SelectsNothingElseWhileMcfIsOn) {
   Caller caller(TableOf("go2", "motion_switcher"));
-  caller.robot.owner = authority::MotorOwner({{.name = "mcf", .alias = "mcf"}}, "0",
-                                             std::make_unique<FakeMotion>(&caller.robot.book));
+  caller.robot.owner =
+      authority::MotorOwner({{.name = "mcf", .alias = "mcf"}}, "0", Plays(&caller.robot.book));
   for (const char* name : {"normal", "dance"}) {
     const std::string parameter = json{{"name", name}}.dump();
     EXPECT_EQ(caller.Ask(1002, parameter).code, 7002) << name;
@@ -91,11 +91,11 @@ TEST(RobotStateTest, ListsABareArrayInWhichOnIsZero) {
 TEST(RobotStateTest, TakesAnOrderForReports) {
   Caller caller(TableOf("g1", "robot_state"));
   EXPECT_EQ(caller.Ask(1002, R"({"interval":5,"duration":60})").code, 0);
-  EXPECT_EQ(caller.robot.owner.report().interval, 5);
-  EXPECT_EQ(caller.robot.owner.report().duration, 60);
-  EXPECT_EQ(caller.robot.owner.report().asked, 1U);
+  EXPECT_EQ(caller.robot.owner.onboard().report.interval, 5);
+  EXPECT_EQ(caller.robot.owner.onboard().report.duration, 60);
+  EXPECT_EQ(caller.robot.owner.onboard().report.asked, 1U);
   EXPECT_EQ(caller.Ask(1002, R"({"interval":-1,"duration":60})").code, 3204);
-  EXPECT_EQ(caller.robot.owner.report().asked, 1U);
+  EXPECT_EQ(caller.robot.owner.onboard().report.asked, 1U);
 }
 
 TEST(RobotStateTest, SwitchesWithOneForOnAndAnswersZeroForOn) {

@@ -96,21 +96,23 @@ TEST(R1SportTest, HasCodesOfItsOwn) {
   EXPECT_EQ(caller.Ask(7107, R"({"data":1})").code, 3203);
 }
 
-TEST(R1SportTest, RefusesVelocitiesInEveryState) {
+TEST(R1SportTest, AnswersVelocitiesWithAFailureAndWalks) {
   Caller caller(TableOf("r1", "sport"));
   for (const int id : {0, 1, 4, 811}) {
     caller.robot.Be({.id = id});
     EXPECT_EQ(caller.Ask(7105, R"({"velocity":[0.3,0,0],"duration":1})").code, 127) << id;
   }
   EXPECT_EQ(caller.Ask(7105, R"({"velocity":"much"})").code, 3202);
-  EXPECT_TRUE(caller.robot.book.goals.empty());
+  const goal::Move move{0.3, 0, 0, 1};
+  EXPECT_EQ(caller.robot.book.goals, std::vector<MotionGoal>(4, move));
 }
 
 TEST(G1LocoTest, IsTheServiceOfFirmwareBeforeOneFour) {
   const auto apis = [](const std::string& firmware) {
     return config::LoadConfig({.robot = "g1", .sets = {"robot.firmware='" + firmware + "'"}},
                               UNDERSTUDY_SOURCE_DIR)
-        .robot.apis;
+        .robots[0]
+        .spec.apis;
   };
   EXPECT_THAT(apis("1.3.9"), testing::AllOf(testing::Contains("loco_g1"),
                                             testing::Not(testing::Contains("sport_g1"))));

@@ -6,8 +6,8 @@ namespace understudy::services {
 namespace {
 
 const std::vector<Field> kMove = {
-    {.key = "x", .low = -2.5, .high = 3.8, .beyond = OutOfRange::kClamp},
-    {.key = "level", .kind = FieldKind::kInt, .low = -1, .high = 1, .optional = true}};
+    {.key = "x", .range = {-2.5, 3.8}, .required = true, .clamped = true},
+    {.key = "level", .type = &schema::kWhole, .range = {-1, 1}}};
 
 TEST(ParameterTest, ClampsWhatTheFieldSaysIsClamped) {
   EXPECT_EQ(DecodeParameter(R"({"x":9})", kMove)->at("x"), 3.8);
@@ -39,7 +39,7 @@ TEST(ParameterTest, WantsNothingWhereThereIsNoField) {
 }
 
 TEST(ParameterTest, TakesEveryWayClientsSendAFlag) {
-  const Field flag{.key = "data", .kind = FieldKind::kFlag};
+  const Field flag{.key = "data", .type = &kFlag, .required = true};
   EXPECT_EQ(DecodeParameter(R"({"data":true})", {&flag, 1})->at("data"), true);
   EXPECT_EQ(DecodeParameter(R"({"data":1})", {&flag, 1})->at("data"), true);
   EXPECT_EQ(DecodeParameter(R"({"data":0})", {&flag, 1})->at("data"), false);
@@ -48,12 +48,12 @@ TEST(ParameterTest, TakesEveryWayClientsSendAFlag) {
 }
 
 TEST(ParameterTest, TakesAFieldByItsOtherName) {
-  const Field action{.key = "action_id", .kind = FieldKind::kInt, .also = "data"};
+  const Field action{.key = "action_id", .type = &schema::kWhole, .required = true, .also = "data"};
   EXPECT_EQ(DecodeParameter(R"({"data":27})", {&action, 1})->at("action_id"), 27);
 }
 
 TEST(ParameterTest, CountsTheElementsOfArrays) {
-  const Field velocity{.key = "v", .kind = FieldKind::kNumbers, .count = 3};
+  const Field velocity{.key = "v", .type = &schema::kNumbers, .required = true, .count = 3};
   EXPECT_TRUE(DecodeParameter(R"({"v":[1,2,3]})", {&velocity, 1}));
   EXPECT_FALSE(DecodeParameter(R"({"v":[1,2]})", {&velocity, 1}));
   EXPECT_FALSE(DecodeParameter(R"({"v":[1,2,"3"]})", {&velocity, 1}));
@@ -61,7 +61,7 @@ TEST(ParameterTest, CountsTheElementsOfArrays) {
 
 TEST(ParameterTest, DescribesWhatItTakes) {
   EXPECT_EQ(DescribeFields(kMove),
-            "x: number -2.5..3.8 clamped, level: whole number -1..1, if any");
+            "x: a number from -2.5 to 3.8, clamped; level: a whole number from -1 to 1, if any");
   EXPECT_EQ(DescribeFields({}), "");
 }
 

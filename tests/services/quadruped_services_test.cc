@@ -1,5 +1,7 @@
 // Tests sport of Go2, B2 and A2: the goals of its calls, and the codes for verdicts.
 #include <cstdint>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,11 +54,11 @@ TEST(Go2SportTest, SwitchesAutoRecoveryAndGivesItBack) {
 
 TEST(Go2SportTest, SwitchesTheSticksOfTheRemoteController) {
   Caller caller(TableOf("go2", "sport"));
-  EXPECT_TRUE(caller.robot.owner.sticks());
+  EXPECT_TRUE(caller.robot.owner.onboard().sticks);
   EXPECT_EQ(caller.Ask(1027, R"({"data":false})").code, 0);
-  EXPECT_FALSE(caller.robot.owner.sticks());
+  EXPECT_FALSE(caller.robot.owner.onboard().sticks);
   EXPECT_EQ(caller.Ask(1027, R"({"data":1})").code, 0);
-  EXPECT_TRUE(caller.robot.owner.sticks());
+  EXPECT_TRUE(caller.robot.owner.onboard().sticks);
 }
 
 TEST(Go2SportTest, SetsASpeedLevelAndGivesItBack) {
@@ -190,7 +192,8 @@ TEST(OldGo2SportTest, HasWhatFirmwareOneOneSixTookAway) {
   const robot::RobotSpec old =
       config::LoadConfig({.robot = "go2", .sets = {"robot.firmware='1.1.5'"}},
                          UNDERSTUDY_SOURCE_DIR)
-          .robot;
+          .robots[0]
+          .spec;
   EXPECT_THAT(old.apis, testing::Contains("sport_go2_2024"));
   Caller caller(TableNamed("sport_go2_2024"));
   EXPECT_EQ(caller.Ask(1011, R"({"data":1})").code, 0);
@@ -208,19 +211,33 @@ TEST(OldGo2SportTest, HasWhatFirmwareOneOneSixTookAway) {
   EXPECT_EQ(caller.Ask(2045).code, 3203) << "FreeWalk came with 1.1.6";
 }
 
-TEST(Go2SportTest, TellsItsStateInTexts) {
-  Caller caller(TableOf("go2", "sport"));
-  caller.robot.Be({.id = 1017, .body_height = 0.25, .gait = 1});
-  caller.Ask(1015, R"({"data":-1})");
-  const json state = json::parse(caller.Ask(1034).data);
-  EXPECT_EQ(state["state"], "batteryLife");
-  EXPECT_EQ(state["bodyHeight"], "0.25");
-  EXPECT_EQ(state["speedLevel"], "-1");
-  EXPECT_EQ(state["gait"], "1");
-  EXPECT_EQ(state["economicGait"], "true");
-  EXPECT_EQ(state["continuousGait"], "false");
-  caller.robot.Be({.keeps_stepping = true});
-  EXPECT_EQ(json::parse(caller.Ask(1034).data)["continuousGait"], "true");
+TEST(Go2SportTest, TellsItsStateInTextsThatAreObjects) {
+  for (const char* table : {"sport_go2", "sport_go2_2024"}) {
+    Caller caller(TableNamed(table));
+    const auto told = [&] {
+      std::map<std::string, json> values;
+      const json all = json::parse(caller.Ask(1034, R"(["state","gait "])").data);
+      for (const auto& [key, text] : all.items()) {
+        values[key] = json::parse(text.get<std::string>()).at("data");
+      }
+      return values;
+    };
+    caller.robot.Be({.id = 1017, .body_height = 0.25, .gait = 1, .foot_raise = 0.09});
+    caller.Ask(1015, R"({"data":-1})");
+    EXPECT_EQ(told(), (std::map<std::string, json>{{"state", "locomotion"},
+                                                   {"bodyHeight", 0.25},
+                                                   {"footRaiseHeight", 0.09},
+                                                   {"speedLevel", -1},
+                                                   {"gait", 1},
+                                                   {"joystick", 1},
+                                                   {"dance", 0},
+                                                   {"continuousGait", 0},
+                                                   {"economicGait", 1}}))
+        << table;
+    caller.robot.Be({.id = 1006, .keeps_stepping = true});
+    EXPECT_EQ(told()["dance"], 1);
+    EXPECT_EQ(told()["continuousGait"], 1);
+  }
 }
 
 TEST(Go2SportTest, KnowsWhatTheAppAsksFor) {

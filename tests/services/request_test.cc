@@ -57,7 +57,7 @@ TEST(ReadRequestTest, RefusesBytesThatEndTooSoon) {
 }
 
 TEST(DecodeParameterTest, RefusesMoreValuesThanAnybodySends) {
-  const Field numbers{.key = "data", .kind = FieldKind::kNumbers};
+  const Field numbers{.key = "data", .type = &schema::kNumbers, .required = true};
   const auto list = [](std::size_t values) {
     std::string text = R"({"data":[1)";
     for (std::size_t i = 1; i < values; ++i) text += ",1";
@@ -68,7 +68,7 @@ TEST(DecodeParameterTest, RefusesMoreValuesThanAnybodySends) {
 }
 
 TEST(DecodeParameterTest, CountsNoCommasInTexts) {
-  const Field text{.key = "data", .kind = FieldKind::kText};
+  const Field text{.key = "data", .type = &kString, .required = true};
   const std::string commas = R"({"data":"\")" + std::string(2000, ',') + "\"}";
   EXPECT_TRUE(DecodeParameter(commas, {&text, 1}));
 }

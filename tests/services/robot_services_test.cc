@@ -1,5 +1,6 @@
 #include "services/robot_services.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -9,7 +10,10 @@
 #include "base/errors.h"
 #include "services/api_names.h"
 #include "services/service.h"
+#include "services/service_host.h"
+#include "tests/support/new_domain.h"
 #include "tests/support/robots.h"
+#include "wire/port.h"
 
 namespace understudy::services {
 namespace {
@@ -42,6 +46,35 @@ TEST(RobotServicesTest, AreThereForEachRobot) {
   }
 }
 
+TEST(RobotServicesTest, AreNamedAsTheirTablesAre) {
+  for (const std::string_view name : kApiNames) {
+    EXPECT_EQ(ServiceNames({std::string(name)}),
+              std::vector<std::string>{std::string(TableNamed(name).name)});
+  }
+}
+
+// What faults and conditions know without a bus is what there is on the bus.
+TEST(RobotServicesTest, PublishWithTheirRobotInOneList) {
+  for (const std::string& name : test::Robots()) {
+    const robot::RobotSpec spec = test::ShippedRobot(name);
+    const bus::Participant participant("lo", test::NewDomain());
+    wire::Port port(participant, spec, 0.001);
+    const ServiceHost host(
+        participant, &port.outlets(), ServicesOf(spec.apis), [](auto&) {}, spec.status_texts);
+    std::vector<std::string> opened, listed, said = port.topics();
+    for (std::size_t i = 0; i < port.outlets().size(); ++i) {
+      opened.push_back(port.outlets()[i].topic().name);
+    }
+    for (const wire::RobotTopic& topic : wire::PublishedTopics(spec, ServiceNames(spec.apis))) {
+      listed.push_back(topic.name);
+    }
+    std::ranges::copy(host.topics(), std::back_inserter(said));
+    EXPECT_EQ(opened, listed) << name;
+    EXPECT_EQ(opened, said) << name;
+    EXPECT_EQ(std::set<std::string>(opened.begin(), opened.end()).size(), opened.size()) << name;
+  }
+}
+
 TEST(RobotServicesTest, HaveEachApiOnce) {
   for (const std::string_view name : kApiNames) {
     std::set<std::int64_t> ids;
@@ -64,9 +97,10 @@ TEST(RobotServicesTest, GetOnlySettingsThatHaveAStart) {
 }
 
 TEST(ServicesDocTest, IsWhatTheServicesCommandPrints) {
-  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/services.md", std::ios::binary);
+  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/reference/services.md", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(text, ServicesReference()) << "write it anew: understudy services > docs/services.md";
+  EXPECT_EQ(text, ServicesReference())
+      << "write it anew: understudy services > docs/reference/services.md";
 }
 
 }  // namespace

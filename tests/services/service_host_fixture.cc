@@ -5,7 +5,7 @@
 namespace understudy::services {
 
 ServiceTable EchoTable(bool needs_motion) {
-  const Field text{.key = "a", .kind = FieldKind::kText};
+  const Field text{.key = "a", .type = &kString, .required = true};
   return {
       .name = "echo",
       .title = "echo",
@@ -20,6 +20,7 @@ ServiceTable EchoTable(bool needs_motion) {
                   return ServiceReply{.data = call.parameter.at("a").get<std::string>()};
                 }}},
                {.id = 8, .name = "Fly", .effect = NoController{}},
+               {.id = 11, .name = "Look", .effect = GivePicture{}},
                {.id = 9, .name = "Throw", .effect = Special{[](const ServiceCall&) -> ServiceReply {
                                             throw std::runtime_error("oh");
                                           }}},

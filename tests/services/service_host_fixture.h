@@ -21,7 +21,8 @@
 namespace understudy::services {
 
 // Api 7 answers the text it was given and asks for a goal, whose value counts calls in a script; 8
-// is not simulated; 9 throws; 10 is answered after the arm; all of it is "echo".
+// is not simulated; 9 throws; 10 is answered after the arm; 11 gives a picture; all of it is
+// "echo".
 ServiceTable EchoTable(bool needs_motion);
 
 struct CallOptions {
@@ -64,6 +65,9 @@ class ServiceHostTest : public testing::Test {
       order_.push_back(response.header.identity.id);
       codes_[response.header.identity.id] = response.header.status.code;
       data_[response.header.identity.id] = response.data;
+      const dds_sequence_uint8& binary = response.binary;
+      binaries_[response.header.identity.id].assign(binary._buffer,
+                                                    binary._buffer + binary._length);
       apis_[response.header.identity.id] = response.header.identity.api_id;
     });
   }
@@ -87,14 +91,16 @@ class ServiceHostTest : public testing::Test {
   std::vector<std::string> said_;
   std::vector<Call> calls_;
   bus::Participant participant_{"lo", test::NewDomain()};
+  wire::Outlets outlets_{participant_, 0.001};
   ServiceHost host_{
-      participant_, {EchoTable(false)}, [this](auto& text) { said_.push_back(text); }};
+      participant_, &outlets_, {EchoTable(false)}, [this](auto& text) { said_.push_back(text); }};
   bus::Writer<Request> requests_{participant_,
                                  {"rt/api/echo/request", &unitree_api_msg_dds__Request__desc}};
   std::optional<bus::Reader<Response>> responses_;
   std::vector<std::int64_t> order_;
   std::map<std::int64_t, std::int32_t> codes_;
   std::map<std::int64_t, std::string> data_;
+  std::map<std::int64_t, std::vector<std::uint8_t>> binaries_;
   std::map<std::int64_t, std::int64_t> apis_;
 };
 

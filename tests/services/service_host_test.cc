@@ -44,7 +44,7 @@ TEST_F(ServiceHostTest, ActsInTheNextPollHoweverManyBroughtNothing) {
 TEST_F(ServiceHostTest, NeitherActsNorAnswersWhileItIsOffAndCountsWhatCame) {
   Listen();
   EXPECT_EQ(host_.names(), std::vector<std::string>{"echo"});
-  host_.Suffer(std::vector<robot::ServiceEffects>{{.off = true}});
+  host_.ApplyFaults(std::vector<robot::ServiceEffects>{{.off = true}});
   SendText(1, "x");
   ASSERT_TRUE(test::Eventually([&] {
     Poll();
@@ -52,7 +52,7 @@ TEST_F(ServiceHostTest, NeitherActsNorAnswersWhileItIsOffAndCountsWhatCame) {
   }));
   EXPECT_EQ(carried_out(), 0U);
   EXPECT_FALSE(host_.Answer("echo", 7, R"({"a": "x"})", &robot_.owner, now_));
-  host_.Suffer(std::vector<robot::ServiceEffects>{{}});
+  host_.ApplyFaults(std::vector<robot::ServiceEffects>{{}});
   SendText(2, "y");
   ASSERT_TRUE(Answered(2));
   EXPECT_FALSE(codes_.contains(1));
@@ -158,7 +158,8 @@ TEST_F(ServiceHostTest, GivesItsLeaseToOneClient) {
 }
 
 TEST_F(ServiceHostTest, AnnouncesAChangeOfConfig) {
-  ServiceHost host(participant_, {TableOf("go2", "config")}, [](auto&) {});
+  wire::Outlets outlets(participant_, 0.001);
+  ServiceHost host(participant_, &outlets, {TableOf("go2", "config")}, [](auto&) {});
   bus::Writer<Request> client(participant_,
                               {"rt/api/config/request", &unitree_api_msg_dds__Request__desc});
   bus::Reader<unitree_go_msg_dds__ConfigChangeStatus_> changes(
@@ -174,8 +175,9 @@ TEST_F(ServiceHostTest, AnnouncesAChangeOfConfig) {
   }));
 }
 
-TEST_F(ServiceHostTest, DropsWhatComesForAServiceThatIsNotServed) {
-  ServiceHost quiet(participant_, {[] {
+TEST_F(ServiceHostTest, LeavesNobodyToReadRequestsWhileItIsNotServed) {
+  wire::Outlets outlets(participant_, 0.001);
+  ServiceHost quiet(participant_, &outlets, {[] {
                       ServiceTable table = EchoTable(true);
                       table.name = "quiet";
                       return table;
@@ -192,8 +194,52 @@ TEST_F(ServiceHostTest, DropsWhatComesForAServiceThatIsNotServed) {
   }));
   EXPECT_EQ(quiet.counts().refused[static_cast<std::size_t>(CallRefusal::kNotServed)], 1U);
   now_ += milliseconds(301);
-  quiet.Poll(&robot_.owner, now_);
+  const auto readers_are = [&](int readers) {
+    return test::Eventually([&] {
+      quiet.Poll(&robot_.owner, now_);
+      return client.matched_readers() == readers;
+    });
+  };
+  EXPECT_TRUE(readers_are(0));
   EXPECT_EQ(quiet.counts().lost_replies, 0U);
+  robot_.owner.Select("ai");
+  ASSERT_TRUE(readers_are(1));
+  quiet.ApplyFaults(std::vector<robot::ServiceEffects>{{.absent = true}});
+  EXPECT_TRUE(readers_are(0)) << "its program does not run yet";
+  quiet.ApplyFaults(std::vector<robot::ServiceEffects>{{.off = true}});
+  EXPECT_TRUE(readers_are(1)) << "it hangs";
+}
+
+// The link of a topic on which a service publishes can be as faulty as that of a state.
+TEST_F(ServiceHostTest, AnswersOverAFaultyLink) {
+  ASSERT_EQ(host_.topics(),
+            (std::vector<std::string>{"rt/api/echo/response", "rt/api/echo_lease/response",
+                                      "rt/servicestate"}));
+  Listen();
+  std::vector<robot::LinkEffects> links(outlets_.size());
+  links[0].drops = true;
+  outlets_.BeginTick(0, links);
+  SendText(1, "lost");
+  ASSERT_TRUE(test::Eventually([&] {
+    Poll();
+    return carried_out() == 1;
+  }));
+  links[0] = {.doubles = true, .delay = 0.5};
+  SendText(2, "late");
+  ASSERT_TRUE(test::Eventually([&] {
+    Poll();
+    return carried_out() == 2;
+  }));
+  outlets_.BeginTick(0.4, links);
+  Collect();
+  EXPECT_TRUE(codes_.empty());
+  outlets_.BeginTick(0.5, {});
+  EXPECT_TRUE(test::Eventually([&] {
+    Collect();
+    return order_.size() == 2;
+  }));
+  EXPECT_EQ(order_, (std::vector<std::int64_t>{2, 2}));
+  EXPECT_EQ(host_.counts().lost_replies, 0U) << "the service has sent them";
 }
 
 }  // namespace

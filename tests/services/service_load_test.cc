@@ -45,7 +45,8 @@ TEST_F(ServiceHostTest, ServesOneOfTheLongestRequestsInAPollAndTheRestLater) {
 TEST_F(ServiceHostTest, DoesNotKeepAServiceWaitingForAnothersFlood) {
   ServiceTable other = EchoTable(false);
   other.name = "other";
-  ServiceHost host(participant_,
+  wire::Outlets outlets(participant_, 0.001);
+  ServiceHost host(participant_, &outlets,
                    {[] {
                       ServiceTable first = EchoTable(false);
                       first.name = "first";

@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 
 TEST_F(ServiceHostTest, ActsAtOnceAndAnswersLaterWhileItIsSlow) {
   Listen();
-  host_.Suffer(std::vector<robot::ServiceEffects>{{.delay = 2}});
+  host_.ApplyFaults(std::vector<robot::ServiceEffects>{{.delay = 2}});
   SendText(1, "x");
   ASSERT_TRUE(test::Eventually([&] {
     Poll();

@@ -34,6 +34,11 @@ class FakeMotion final : public authority::Motion {
   MotionBook* book_;
 };
 
+// Has a FakeMotion play each motion service.
+inline authority::MotionMaker Plays(MotionBook* book) {
+  return [book](std::string_view) { return std::make_unique<FakeMotion>(book); };
+}
+
 // A robot with one motion service, "ai", that is on, and programs with and without protection.
 struct ServedRobot {
   MotionBook book;
@@ -41,7 +46,7 @@ struct ServedRobot {
                                {.name = "vui_service"},
                                {.name = "basic_service", .is_protected = true}},
                               "0",
-                              std::make_unique<FakeMotion>(&book)};
+                              Plays(&book)};
 
   // The motion service is in that state, as of a step of its own.
   void Be(const robot::MotionState& state) {

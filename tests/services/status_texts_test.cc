@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "bus/participant.h"
 #include "bus/reader.h"
 #include "config/load.h"
 #include "services/robot_services.h"
@@ -29,10 +30,9 @@ class StatusTextsTest : public testing::Test {
     for (const char* service : {"obstacles_avoid", "vui", "uwbswitch"}) {
       services_.push_back(std::make_unique<Service>(TableOf("go2", service)));
     }
-    texts_.emplace(
-        participant_,
-        std::vector<std::string>{"rt/rtc/state", "rt/multiplestate", "rt/audiohub/player/state"},
-        services_);
+    const std::vector<wire::RobotTopic> topics =
+        wire::ServiceTopics({}, {"rt/rtc/state", "rt/multiplestate", "rt/audiohub/player/state"});
+    texts_.emplace(&outlets_, topics, services_);
     for (const char* topic :
          {"rt/rtc/state", "rt/multiplestate", "rt/audiohub/player/state", "rt/servicestate"}) {
       readers_.try_emplace(topic, participant_,
@@ -54,14 +54,15 @@ class StatusTextsTest : public testing::Test {
     return texts;
   }
 
+  bus::Participant participant_{"lo", test::NewDomain()};
+  wire::Outlets outlets_{participant_, 0.001};
   std::vector<std::unique_ptr<Service>> services_;
   MotionBook book_;
   authority::MotorOwner owner_{{{.name = "ai_sport", .alias = "ai", .version = "8.5.1.1"},
                                 {.name = "ota_box", .on = false},
                                 {.name = "basic_service", .is_protected = true}},
                                "0",
-                               std::make_unique<FakeMotion>(&book_)};
-  bus::Participant participant_{"lo", test::NewDomain()};
+                               Plays(&book_)};
   std::optional<StatusTexts> texts_;
   std::map<std::string, bus::Reader<String>> readers_;
   double t_ = 0;
@@ -105,7 +106,7 @@ TEST_F(StatusTextsTest, TellTheSettingsOfTheServices) {
 TEST_F(StatusTextsTest, ReportTheProgramsOnlyOnceItWasAskedFor) {
   TellTo(6);
   EXPECT_THAT(Heard("rt/servicestate"), ElementsAre());
-  owner_.AskReport(5, 0);
+  owner_.onboard().RequestReport(5, 0);
   TellTo(17);
   const std::vector<std::string> texts = Heard("rt/servicestate");
   ASSERT_EQ(texts.size(), 3U) << "at 6, 11 and 16 s";
@@ -116,28 +117,54 @@ TEST_F(StatusTextsTest, ReportTheProgramsOnlyOnceItWasAskedFor) {
 }
 
 TEST_F(StatusTextsTest, EndReportsAfterTheirTimeAndWhenTold) {
-  owner_.AskReport(1, 3);
+  owner_.onboard().RequestReport(1, 3);
   TellTo(10);
   EXPECT_EQ(Heard("rt/servicestate").size(), 4U) << "at 0, 1, 2 and 3 s";
-  owner_.AskReport(1, 0);
+  owner_.onboard().RequestReport(1, 0);
   TellTo(12.5);
-  owner_.AskReport(0, 0);
+  owner_.onboard().RequestReport(0, 0);
   TellTo(20);
   EXPECT_EQ(Heard("rt/servicestate").size(), 3U) << "at 10, 11 and 12 s";
 }
 
 TEST_F(StatusTextsTest, KnowTheTopicsOfTheirRobotsOnly) {
   for (const std::string robot : {"go2", "g1"}) {
-    const auto& topics = config::LoadConfig({.robot = robot}, UNDERSTUDY_SOURCE_DIR).robot;
-    EXPECT_NO_THROW(StatusTexts(participant_, topics.status_texts, services_)) << robot;
-    EXPECT_FALSE(topics.status_texts.empty());
+    const auto spec = config::LoadConfig({.robot = robot}, UNDERSTUDY_SOURCE_DIR).robots[0].spec;
+    EXPECT_NO_THROW(wire::ServiceTopics({}, spec.status_texts)) << robot;
+    EXPECT_FALSE(spec.status_texts.empty());
   }
   try {
-    const StatusTexts texts(participant_, {"rt/gns"}, services_);
+    wire::ServiceTopics({}, {"rt/gns"});
     ADD_FAILURE();
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("did you mean 'rt/gnss'?"));
   }
+}
+
+TEST_F(StatusTextsTest, HaveATextForEachTopic) {
+  std::vector<std::string> all;
+  for (const wire::StatusTextTopic& one : wire::kStatusTexts) all.emplace_back(one.topic.name);
+  wire::Outlets outlets(participant_, 0.001);
+  StatusTexts texts(&outlets, wire::ServiceTopics({}, all), services_);
+  std::map<std::string, bus::Reader<String>> readers;
+  for (const std::string& topic : all) {
+    readers.try_emplace(topic, participant_,
+                        bus::Topic<String>{topic.c_str(), &std_msgs_msg_dds__String__desc});
+  }
+  texts.Tell(owner_, 0);
+  for (auto& [topic, reader] : readers) {
+    EXPECT_GT(reader.Take([](const String&, bus::WriterHandle) {}), 0) << topic;
+  }
+}
+
+TEST_F(StatusTextsTest, AreLostWhereTheirLinkLosesThem) {
+  const std::vector<robot::LinkEffects> links(outlets_.size(), {.drops = true});
+  outlets_.BeginTick(0, links);
+  TellTo(2);
+  EXPECT_THAT(Heard("rt/rtc/state"), ElementsAre());
+  outlets_.BeginTick(2, {});
+  TellTo(3);
+  EXPECT_EQ(Heard("rt/rtc/state").size(), 1U);
 }
 
 }  // namespace

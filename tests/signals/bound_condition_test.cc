@@ -45,7 +45,7 @@ TEST(BoundConditionTest, ARunningRobotKnowsTheCommandsItHearsAndWhatItSamples) {
   EXPECT_THAT(WhyNot("rt/mine arrives"), testing::HasSubstr("no topic of commands 'rt/mine'"));
   EXPECT_THAT(WhyNot("lowstate:tick > 5"),
               testing::HasSubstr("q, dq, tau_est and temperature of a joint"));
-  EXPECT_EQ(WhyNot("q(finger) > 1"), "rt/lowstate does not tell of finger_joint");
+  EXPECT_EQ(WhyNot("q(finger) > 1"), "rt/lowstate does not have finger_joint");
 }
 
 TEST(BoundConditionTest, TorquesCanBeMeasuredByTheirLimitsAndTemperaturesByTheFamily) {
@@ -80,10 +80,16 @@ TEST(BoundConditionTest, ForAnyRobotEachJointFootAndHandWillDoAndNoTopicThatNone
   EXPECT_THAT(WhyNot("lowcmt arrives", RunningNames()), testing::HasSubstr("'rt/lowcmd'"));
 }
 
+TEST(BoundConditionTest, ForAnyRobotTheOthersMayHaveAnyName) {
+  EXPECT_EQ(WhyNot("tall:feet.force > 250 and left:lowcmd arrives", RunningNames()), "");
+  EXPECT_THAT(WhyNot("tall:feet.forc > 250", RunningNames()),
+              testing::HasSubstr("did you mean 'feet.force'?"));
+}
+
 TEST(BoundConditionTest, ARecordingHasTheTopicsOfItsRobotWithTheirTypes) {
   const auto recorded = [](const char* robot) {
     return RecordedNames(
-        config::LoadConfig({.robot = robot}, UNDERSTUDY_SOURCE_DIR).robot,
+        config::LoadConfig({.robot = robot}, UNDERSTUDY_SOURCE_DIR).robots[0].spec,
         [](const std::string& type, const std::string& field) { return type + " " + field; });
   };
   EXPECT_EQ(WhyNot("gap(errorlist) > 1 and gap(lf/sportmodestate) > 1", recorded("go2")), "");

@@ -136,10 +136,6 @@ inline void LeaveStaleSocket(const std::filesystem::path& path) {
   if (!socket.Bind(path) || !socket.Listen()) throw std::runtime_error("bind");
 }
 
-inline emulator::Inbox::WallTime::duration Now() {
-  return std::chrono::steady_clock::now().time_since_epoch();
-}
-
 // Drains an inbox about every millisecond, as a robot does.
 class Ticking {
  public:
@@ -147,7 +143,7 @@ class Ticking {
           std::function<emulator::Answer(const emulator::Request&)> carry_out)
       : thread_([this, inbox, carry_out = std::move(carry_out)] {
           while (!stop_) {
-            inbox->Drain(Now(), [&](emulator::Request* request, emulator::Reply*) {
+            inbox->Drain([&](emulator::Request* request, emulator::Reply*) {
               return std::optional(carry_out(*request));
             });
             std::this_thread::sleep_for(std::chrono::milliseconds{1});

@@ -6,17 +6,18 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <span>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "robot/command_topics.h"
+#include "wire/inlet.h"
 #include "wire/robot_port.h"
 
 namespace understudy::test {
 
-// Commands wait in a queue; what is published is kept, in order.
+// Commands wait in a queue and come over their link; what is published is kept, in order.
 class FakePort final : public wire::RobotPort {
  public:
   struct Sample {
@@ -49,7 +50,7 @@ class FakePort final : public wire::RobotPort {
   }
   // The robot is told of that many lost commands.
   void Lose(std::size_t topic, std::uint64_t commands) { topics_[topic].lost = commands; }
-  // How often Rest was called.
+  // How often KeepNewest was called.
   int rests() const { return rests_; }
   // Makes a state due in every `steps`-th step.
   void TellEvery(std::int64_t steps) { every_ = steps; }
@@ -58,19 +59,36 @@ class FakePort final : public wire::RobotPort {
   // From now on only the last sample is kept; publishing one more then allocates nothing.
   void KeepTheLastOnly() { keep_all_ = false; }
 
+  struct Sight {
+    wire::Content content;
+    robot::LidarReading reading;
+  };
+  // Reads these contents of the lidar from now on.
+  void ReadLidar(std::set<wire::Content> contents) { read_ = std::move(contents); }
+  const std::vector<Sight>& sights() const { return sights_; }
+
   const std::vector<Sample>& samples() const { return samples_; }
   const Sample& last() const { return samples_.back(); }
   // Whether no command waits on rt/lowcmd.
   bool idle() const { return topics_[robot::kLowCmdTopic].waiting.empty(); }
 
+  void BeginTick(double t, const wire::LinkFaults& faults) override {
+    now_ = t;
+    faults_ = faults;
+  }
   bool Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) override;
   std::uint64_t TakeLost(std::size_t topic) override {
-    return std::exchange(topics_[topic].lost, 0);
+    return std::exchange(topics_[topic].lost, 0) + topics_[topic].inlet.TakeLost();
   }
-  void Rest() override { ++rests_; }
+  std::uint64_t heard(std::size_t topic) const override { return topics_[topic].inlet.heard(); }
+  void KeepNewest() override { ++rests_; }
+  void Clear() override;
   bool Due(std::int64_t step) const override { return step % every_ == 0; }
-  void Publish(const robot::RobotState& state, std::int64_t step,
-               std::span<const robot::LinkEffects> links) override;
+  void Publish(const robot::RobotState& state, std::int64_t step) override;
+  bool ReadsLidar(wire::Content content) const override { return read_.contains(content); }
+  void PublishLidar(wire::Content content, const robot::LidarReading& reading) override {
+    sights_.push_back({content, reading});
+  }
   std::vector<std::string> topics() const override { return {"rt/lowstate"}; }
   int command_writers() const override { return 1; }
   robot::PortCounts counts() const override { return {.lowstates = published_}; }
@@ -87,6 +105,7 @@ class FakePort final : public wire::RobotPort {
     std::optional<robot::RobotCommand> steady;
     bool steady_taken = false;  // in this drain
     std::uint64_t lost = 0;
+    wire::Inlet inlet{true};
   };
 
   void SendTo(std::size_t topic, const robot::RobotCommand& command,
@@ -95,6 +114,8 @@ class FakePort final : public wire::RobotPort {
   }
 
   std::array<Topic, robot::kMostCommandTopics> topics_;
+  double now_ = 0;
+  wire::LinkFaults faults_;
   std::int64_t every_ = 2;  // 500 Hz in steps of 1 ms
   robot::LinkEffects link_;
   robot::PortNews news_;
@@ -102,6 +123,8 @@ class FakePort final : public wire::RobotPort {
   int rests_ = 0;
   std::uint64_t published_ = 0;
   std::vector<Sample> samples_;
+  std::set<wire::Content> read_;
+  std::vector<Sight> sights_;
 };
 
 }  // namespace understudy::test

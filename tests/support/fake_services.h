@@ -44,7 +44,8 @@ class FakeServices final : public services::ServicePort {
     ++counts_.refused[static_cast<std::size_t>(services::CallRefusal::kUnmatched)];
   }
   std::vector<std::string> names() const override { return {"fake"}; }
-  void Suffer(std::span<const robot::ServiceEffects> faults) noexcept override {
+  std::vector<std::string> topics() const override { return {"rt/api/fake/response"}; }
+  void ApplyFaults(std::span<const robot::ServiceEffects> faults) noexcept override {
     suffers_ = faults[0];
   }
   const robot::ServiceEffects& suffers() const { return suffers_; }

@@ -78,8 +78,8 @@ robot::RobotSpec FixtureRobotWithHand() {
 
 config::Config FixtureConfig() {
   config::Config config;
-  config.sensors = {.quantise = false, .noise = false};
-  config.robot = FixtureRobot();
+  config.robots[0].sensors = {.quantise = false, .noise = false};
+  config.robots[0].spec = FixtureRobot();
   return config;
 }
 

@@ -15,7 +15,8 @@ namespace understudy::test {
 inline const robot::RobotSpec& ShippedRobot(const std::string& name) {
   static std::map<std::string, robot::RobotSpec> read;
   const auto [at, is_new] = read.try_emplace(name);
-  if (is_new) at->second = config::LoadConfig({.robot = name}, UNDERSTUDY_SOURCE_DIR).robot;
+  if (is_new)
+    at->second = config::LoadConfig({.robot = name}, UNDERSTUDY_SOURCE_DIR).robots[0].spec;
   return at->second;
 }
 

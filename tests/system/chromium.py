@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 import time
 
-PATIENCE = 60.0  # s, for what takes less than two on an idle machine
+PATIENCE = 120  # s; a page on a busy machine is slow
 MODIFIERS = {"Alt": 1, "Control": 2, "Meta": 4, "Shift": 8}
 
 FLAGS = [

@@ -14,6 +14,7 @@ import sys
 import pytest
 
 from bags import bag_of
+from policies import write_policy
 from robots import understudy
 from screens import Screen
 
@@ -70,6 +71,7 @@ def files_fixture(tmp_path_factory):
     (folder / "my_robot.yaml").write_text((arm / "arm.yaml").read_text().replace("arm.xml", "my_robot.xml"))
     shutil.copy(arm / "arm.xml", folder / "my_robot.xml")
     assert understudy("export", "urdf", "go2", "--out", folder / "my.urdf").returncode == 0
+    write_policy(folder / "walk")
     return folder
 
 
@@ -78,8 +80,8 @@ def desk_fixture(files, tmp_path, monkeypatch, runtime_dir):
     """A folder with those files, in which every line of a shell finds understudy."""
     desk = tmp_path / "desk"
     shutil.copytree(files, desk, symlinks=True)
-    for folder in ("bin", "completions", "docs"):
-        (desk / folder).mkdir()
+    for folder in ("bin", "completions", "docs/reference"):
+        (desk / folder).mkdir(parents=True)
     put_program(desk, "bin/understudy", 'exec "$UNDERSTUDY" "$@"')
     put_program(desk, "bin/xdg-open", "case $1 in http*) ;; *) exit 1 ;; esac")
     monkeypatch.setenv("PATH", f"{desk / 'bin'}:{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}")

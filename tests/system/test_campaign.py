@@ -86,6 +86,32 @@ def test_a_campaign_tells_failures_first_and_keeps_their_evidence(understudy, sh
     assert understudy("judge", "again/recording.mcap", shoves, "--run", 6).returncode == FAILED
 
 
+def test_a_campaign_of_several_robots_varies_one_of_them_and_names_who_failed(understudy, shoves, tmp_path):
+    two = SHOVES.replace("robot: go2\n", "robots: {left: {robot: go2}, right: {robot: go2, start: {at: [0, 2, 0]}}}\n")
+    two = two.replace("push:", "robot: right, push:").replace("robot.dynamics", "robots.left.robot.dynamics")
+    two = two.replace("base.tilt < 30 deg, name: stays up", '"right:base.tilt < 30 deg", name: the right one stays up')
+    two = two.replace("expect:", 'expect:\n  - {always: "left:base.tilt < 30 deg", name: the left one stays up}')
+    (tmp_path / "two.yaml").write_text(two)
+    done = understudy("rehearse", "two.yaml", "--out", "out", "--jobs", 2)
+    assert done.returncode == FAILED, done.stdout + done.stderr
+    failed = [line for line in done.stdout.splitlines() if line.startswith("  FAIL  ")]
+    assert len(failed) == 4 and all("$force=500" in line and "the right one stays up" in line for line in failed)
+    delays = {re.search(r"robots.left.robot.dynamics.delay=(\S+)", line)[1] for line in failed}
+    assert len(delays) == 2
+    assert {path.name for path in (tmp_path / "out/runs/000005").glob("*.mcap")} == {
+        "recording_left.mcap", "recording_right.mcap"}
+
+
+@pytest.mark.parametrize("again", [(), ("--again",)])
+def test_a_folder_of_runs_that_no_campaign_made_is_left_alone(understudy, shoves, tmp_path, again):
+    logs = tmp_path / "out/runs/000001"  # as trainers of policies keep theirs
+    logs.mkdir(parents=True)
+    (logs / "events").write_text("precious")
+    done = understudy("rehearse", shoves, "--out", "out", *again)
+    assert done.returncode == 3 and "is not of a campaign" in done.stderr, done.stderr
+    assert (logs / "events").read_text() == "precious"
+
+
 def test_shards_merge_to_the_report_of_the_whole_byte_by_byte(understudy, shoves):
     understudy("rehearse", shoves, "--out", "whole", "--jobs", 2)
     for i, jobs in ((1, 2), (2, 1), (3, 1)):
@@ -144,9 +170,9 @@ vary: {grid: {$sleep: [600, 0]}}
 
 
 def test_a_run_whose_time_stands_still_fails_at_its_limit_and_the_others_go_on(understudy, shoves, tmp_path):
-    """A program stops it by SIGSTOP, so that it can do nothing, or pauses it, and waits beside it."""
+    """A program stops it, its parent's parent, by SIGSTOP, so that it can do nothing, or pauses it, and waits."""
     hang = tmp_path / "hang.sh"
-    hang.write_text("#!/bin/sh\ncase $1 in 0) exit 0;; 1) echo about to hang >&2; kill -STOP $PPID;; 2) "
+    hang.write_text("#!/bin/sh\ncase $1 in 0) exit 0;; 1) echo about to hang >&2; kill -STOP $(awk '/PPid/ {print $2}' /proc/$PPID/status);; 2) "
                     f"{os.environ['UNDERSTUDY']} ctl pause;; esac\nexec sleep 60\n")
     hang.chmod(0o755)
     (tmp_path / "hangs.yaml").write_text(
@@ -161,7 +187,7 @@ def test_a_run_whose_time_stands_still_fails_at_its_limit_and_the_others_go_on(u
     stopped, paused = (json.loads((tmp_path / f"out/runs/00000{run}.json").read_text()) for run in (1, 3))
     assert stopped["broken"].startswith("did not end within 8 s of wall time")
     # One that can judges what there is.
-    assert paused["broken"] == "did not end within 8 s of wall time" and paused["verdicts"]
+    assert paused["broken"] == "the rehearsal did not end within 8 s of wall time" and paused["verdicts"]
     assert (tmp_path / "out/runs/000003/report.html").exists()
     assert "did not end within 8 s of wall time" in done.stdout
     assert "did not end within 8 s" in (tmp_path / "out/junit.xml").read_text()

@@ -47,6 +47,17 @@ def test_a_browser_sees_the_robot_and_moves_it_with_the_token(play):
     eventually(lambda: abs(json.loads(ask(url, "/snapshot")[1])["qpos"][1] - before) > 0.005)
 
 
+def test_the_document_that_it_serves_has_its_routes_and_every_request(play):
+    url = url_of(play("go2"))
+    status, document = ask(url, "/openapi.yaml")
+    requests = json.loads(ask(url, "/requests")[1])["requests"]
+
+    assert status == 200
+    assert requests
+    for path in ["/status", "/snapshot", *("/" + one["name"].replace(".", "/") for one in requests)]:
+        assert f"\n  {path}:\n" in document
+
+
 def test_metrics_are_what_prometheus_reads(play):
     url = url_of(play("go2"))
     line = re.compile(r"^understudy_\w+(\{(\w+=\"[^\"]*\",?)+\})? (-?[0-9.e+-]+|NaN|[+-]Inf)$")

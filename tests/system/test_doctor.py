@@ -4,6 +4,7 @@ import contextlib
 import json
 import os
 import subprocess
+import sys
 import threading
 
 import pytest
@@ -13,6 +14,7 @@ from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 from cyclonedds.util import duration
 
+from desk import ROOT
 from namespaces import cable, host_on_a_bad_cable, host_on_a_cable, ip
 from peers import GoLowCmd, GoLowState, HgLowCmd, go_state, join, listener, speaker, stranger
 from robots import understudy
@@ -36,11 +38,15 @@ def verdicts(rows, *names):
     return [rows[name]["verdict"] for name in names]
 
 
+ECHO = [os.environ["UNDERSTUDY"], "doctor", "--echo"]
+ECHO_OF_ONE_FILE = [sys.executable, ROOT / "examples" / "python" / "doctor_echo.py"]
+
+
 @contextlib.contextmanager
-def echo(there, *options):
-    """`doctor --echo` on the other host, by the name of far; gives the process."""
-    with subprocess.Popen([*there, os.environ["UNDERSTUDY"], "doctor", "--echo", "--interface", THERE[0], "--as",
-                           "far", *options], stdout=subprocess.PIPE, text=True) as process:
+def echo(there, program=ECHO):
+    """An echo on the other host, by the name of far; gives the process."""
+    with subprocess.Popen([*there, *program, "--interface", THERE[0], "--as", "far"], stdout=subprocess.PIPE,
+                          text=True) as process:
         try:
             assert process.stdout.readline().startswith("far answers on veth1, domain 0")
             yield process
@@ -82,9 +88,10 @@ def test_an_interface_that_is_missing_down_or_without_address_or_carrier_is_wron
         assert "is down" in examine("--interface", "veth0")["interface"]["finding"]
 
 
+@pytest.mark.parametrize("program", [ECHO, ECHO_OF_ONE_FILE], ids=["the program", "one file of Python"])
 @pytest.mark.parametrize(("peer", "messages"), [("far", "go"), ("192.168.123.222", "hg")])
-def test_a_peer_on_a_good_cable_answers_each_way(peer, messages):
-    with host_on_a_cable(HERE, THERE) as there, echo(there):
+def test_a_peer_on_a_good_cable_answers_each_way(peer, messages, program):
+    with host_on_a_cable(HERE, THERE) as there, echo(there, program):
         rows = examine("--interface", "veth0", "--peer", peer, "--messages", messages)
 
     assert verdicts(rows, "interface", "address", "peer", "peer unicast", "peer multicast", "from peer",
@@ -112,7 +119,7 @@ def test_a_loss_is_measured_in_what_is_as_large_as_commands():
 
     assert verdicts(rows, "peer unicast", "peer multicast", "round trip") == ["ok", "ok", "wrong"]
     figures = rows["round trip"]["figures"]
-    assert 0.1 < figures["lost"] / figures["sent"] < 0.7  # 0.19 there and back, and more: docs/doctor.md
+    assert 0.1 < figures["lost"] / figures["sent"] < 0.7  # 0.19 there and back, and more: docs/reference/doctor.md
 
 
 def test_a_network_without_multicast_is_told_from_a_firewall_and_from_a_peer_that_is_not_there():
@@ -226,15 +233,17 @@ def test_a_command_line_that_is_none_is_refused(understudy, options):
     assert understudy("doctor", *options).returncode == 2
 
 
-def test_an_echo_without_a_network_ends_as_every_command_does(understudy):
-    done = understudy("doctor", "--echo", "--interface", "none")
+@pytest.mark.parametrize("program", [ECHO, ECHO_OF_ONE_FILE], ids=["the program", "one file of Python"])
+def test_an_echo_without_a_network_ends_as_every_command_does(program):
+    done = subprocess.run([*program, "--interface", "none"], capture_output=True, text=True, timeout=20)
 
     assert done.returncode == 5
     assert "none" in done.stderr
 
 
-def test_an_echo_ends_when_it_is_told_to_and_says_how_much_it_answered():
-    with host_on_a_cable(HERE, THERE) as there, echo(there) as process:
+@pytest.mark.parametrize("program", [ECHO, ECHO_OF_ONE_FILE], ids=["the program", "one file of Python"])
+def test_an_echo_ends_when_it_is_told_to_and_says_how_much_it_answered(program):
+    with host_on_a_cable(HERE, THERE) as there, echo(there, program) as process:
         sent = examine("--interface", "veth0", "--peer", "far")["round trip"]["figures"]["sent"]
         process.terminate()
         rest, _ = process.communicate()

@@ -11,7 +11,7 @@ from helps import commands
 from robots import understudy
 
 ROOT = pathlib.Path(__file__).parents[2]
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b|…|\.\.\.|[<\[]")
 OPERATORS = {";", "|", "||", "&", "&&", ">", ">>", "<", "(", ")"}
 

@@ -112,6 +112,7 @@ def test_an_integrator_that_cannot_be_split_is_refused(understudy, tmp_path):
 
 
 @pytest.mark.parametrize(("arguments", "text"), [
+    (("go2",), "no command 'go2' of `understudy`; did you mean `understudy run go2`?"),
     (("rnu", "go2"), "no command 'rnu' of `understudy`; did you mean 'run'?"),
     (("ctl", "--name", "dog", "stauts"), "no command 'stauts' of `understudy ctl`; did you mean 'status'?"),
     (("ctl", "crane"), "a command is missing after `understudy ctl crane`"),
@@ -143,10 +144,10 @@ def test_a_robot_may_be_written_as_the_vendor_writes_it(understudy):
 
 
 @pytest.mark.parametrize("arguments", [
-    (), ("rum", "go2"), ("run",), ("run", "go2", "--fast"), ("run", "go2", "more"), ("check",),
+    (), ("rum", "go2"), ("run",), ("run", "go2", "--fast"), ("run", "go2", "--more"), ("check",),
     ("exec", "go2"), ("exec", "go2", "--"), ("ctl",), ("ctl", "crane"), ("ctl", "crane", "lower"),
     ("ctl", "crane", "lower", "far"), ("completions", "tcsh"), ("run", "go2", "--log-level", "all"),
-    ("exec", "go2", "--network", "mine", "--", "true"), ("ctl", "status", "--robot", "go2"),
+    ("exec", "go2", "--network", "mine", "--", "true"), ("ctl", "status", "--robots", "go2"),
 ])
 def test_a_command_line_that_is_not_understood_is_a_usage_error(understudy, arguments):
     done = understudy(*arguments)

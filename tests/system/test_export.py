@@ -38,3 +38,23 @@ def test_a_robot_with_meshes_is_written_with_their_files(understudy, tmp_path):
     assert (tmp_path / mesh).stat().st_size == 84 + 4 * 50
     assert robot.joint_map["elbow"].limit.effort == 10
     assert "--out" in understudy("export", "urdf", tmp_path / "one.yaml").stderr
+
+
+@pytest.mark.parametrize("name", ["go2", "g1", "b2w"])
+def test_mjcf_is_one_file_with_what_the_robot_has(understudy, tmp_path, name):
+    done = understudy("export", "mjcf", name, "--out", tmp_path / "robot.xml")
+    assert done.returncode == 0, done.stderr
+    checked = understudy("check", tmp_path / "robot.xml")
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+    text = (tmp_path / "robot.xml").read_text()
+    assert "understudy_clamp" not in text and "file=" not in text
+    assert understudy("export", "mjcf", name).stdout == text
+
+
+def test_a_ground_of_heights_is_a_file_beside_the_mjcf(understudy, tmp_path):
+    done = understudy("export", "mjcf", "go2", "--scene", "rough", "--out", tmp_path / "go2.xml")
+    assert done.returncode == 0, done.stderr
+    assert understudy("check", tmp_path / "go2.xml").returncode == 0
+    assert [file.suffix for file in sorted(tmp_path.iterdir())].count(".hf") >= 1
+    alone = understudy("export", "mjcf", "go2", "--scene", "rough")
+    assert alone.returncode == 4 and "--out" in alone.stderr

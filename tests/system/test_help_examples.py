@@ -32,6 +32,10 @@ def test_every_example_of_a_help_works(command, desk, screen, monkeypatch):
                     session.type(Typed("", f"understudy run go2 {' '.join(ON_A_STAND)} --interface eth0", []))
                     session.type(Typed("", line, []))
                     session.stop_robots()
+            elif "--as-robot" in line:
+                with host_on_a_cable(ETH0, FAR):
+                    session.type(Typed("", line, []))
+                    session.stop_robots()
             else:
                 session.type(Typed("", line, []))
 

@@ -1,6 +1,7 @@
 """Start and end of a robot, and how `ctl` finds it in between."""
 
 import contextlib
+import fcntl
 import json
 import os
 import re
@@ -30,6 +31,20 @@ def test_a_stop_signal_ends_a_run_in_good_order(play, runtime_dir, number):
     assert robot.exit_code(SOON) == 0
     assert sockets(runtime_dir) == []
     robot.heard("left the network")
+
+
+def test_a_stop_signal_ends_a_start_that_waits_for_the_lock_of_the_folder(play, runtime_dir):
+    descriptor = os.open(runtime_dir, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX)
+        robot = play("go2", ready=False)
+        time.sleep(4)
+        assert not sockets(runtime_dir)
+        robot.send(signal.SIGTERM)
+        assert robot.exit_code(SOON) == SOCKET
+        assert "holds the lock" in robot.said()
+    finally:
+        os.close(descriptor)
 
 
 def test_ctl_stop_ends_the_robot_that_is_named_in_good_order_and_no_other(play, runtime_dir):

@@ -54,6 +54,14 @@ def test_a_go2_comes_back_from_its_own_urdf_and_stands(understudy):
     assert rehearsed.returncode == 0, rehearsed.stdout + rehearsed.stderr
 
 
+def test_its_first_scenario_fails_where_it_does_not_stand_up(understudy):
+    export(understudy, "go2")
+    assert understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2").returncode == 0
+    rehearsed = understudy("rehearse", "mydog/starts.yaml", "--set", "motion.service=none", "--out", "starts")
+    assert rehearsed.returncode == 10, rehearsed.stdout + rehearsed.stderr
+    assert "FAIL  stands" in rehearsed.stdout
+
+
 def test_the_model_made_has_the_links_masses_joints_and_limits_of_the_urdf(understudy):
     before = URDF.from_xml_file(str(export(understudy, "go2")))
     assert understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2").returncode == 0
@@ -120,6 +128,28 @@ def test_a_g1_hangs_from_its_crane_and_has_lost_the_revisions_of_the_other(under
     assert understudy("run", "mine/mine.yaml", "--revision", "6", "--print-config").returncode == 3
 
 
+TIED = '<link name="{0}"/><joint name="tie" type="{1}"><parent link="{0}"/><child link="{2}"/></joint></robot>'
+
+
+@pytest.mark.parametrize("root", ("odom", "world"))
+def test_a_base_that_floats_in_an_empty_link_is_free(understudy, root):
+    urdf = export(understudy, "go2")
+    urdf.write_text(urdf.read_text().replace("</robot>", TIED.format(root, "floating", "base_link")))
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert made.returncode == 0, made.stdout + made.stderr
+    rehearsed = understudy("rehearse", "mydog/starts.yaml", "--out", "starts")
+    assert rehearsed.returncode == 0, rehearsed.stdout + rehearsed.stderr
+
+
+def test_a_base_that_is_fixed_to_the_world_stays_where_it_is(understudy):
+    urdf = export(understudy, "go2")
+    urdf.write_text(urdf.read_text().replace("</robot>", TIED.format("world", "fixed", "base_link")))
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert made.returncode == 0, made.stdout + made.stderr
+    ran = understudy("run", "mydog/mydog.yaml", "--speed", "max", "--duration", "1")
+    assert ran.returncode == 0, ran.stderr
+
+
 def test_every_foot_feels_the_ground(understudy, play):
     export(understudy, "go2")
     assert understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2").returncode == 0
@@ -135,11 +165,22 @@ WRONG = {
     "is no URDF": ("<mujoco/>", "my.urdf:1: expected URDF, whose first element is <robot>, not <mujoco>"),
     "is xacro": ('<robot name="r"><xacro:include filename="x"/></robot>', "this is xacro"),
     "has two roots": (TREE.format(""), "links without a parent: a, b; expected one"),
+    "has a name that is no word": (TREE.format(JOINT.format("").replace('"j"', '"a&#27;]0;x"')),
+                                   "name: expected printable characters, found 'a?]0;x'"),
     "names no link": (TREE.format(JOINT.format("").replace('"b"', '"bb"')), "no link 'bb'; did you mean"),
     "is a ring": (TREE.format(JOINT.format("") + JOINT.format("").replace('"j"', '"k"').replace('"a"', '"c"')
                               .replace('"b"', '"a"').replace('"c"', '"b"')), "they form a ring"),
-    "has a joint of another kind": (TREE.format(JOINT.format("").replace("revolute", "floating")), "is floating"),
+    "has a joint of another kind": (TREE.format(JOINT.format("").replace("revolute", "planar")), "is planar"),
+    "floats in a link that weighs something": (
+        TREE.format(JOINT.format("").replace("revolute", "floating")).replace(
+            '<link name="a"/>', '<link name="a"><inertial><mass value="1"/></inertial></link>'),
+        "stands for the world"),
+    "turns about the world": (TREE.replace('"a"', '"world"').format(JOINT.format("").replace('"a"', '"world"')),
+                              "a fixed or a floating joint below it, not revolute"),
     "has a number that is none": (TREE.format(JOINT.format('<axis xyz="0 1 up"/>')), "expected 3 finite numbers"),
+    "has an inertia that is none": (TREE.format(JOINT.format("")).replace(
+        '<link name="b"/>', '<link name="b"><inertial><mass value="1"/><inertia ixx="1" iyy="x" izz="1"/></inertial>'
+        '</link>'), "iyy"),
     "lacks a mesh": (TREE.format(JOINT.format("")).replace('<link name="b"/>', '<link name="b"><collision><geometry>'
                      '<mesh filename="package://p/m.stl"/></geometry></collision></link>'), "no such file"),
 }
@@ -176,6 +217,6 @@ def test_meshes_come_along_and_what_is_only_looked_at_may_be_missing(understudy)
         "collision", "meshes/wedge.STL") + mesh.format("visual", "meshes/calf.dae"), 1))
     made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
     assert made.returncode == 0, made.stdout + made.stderr
-    assert "calf.dae: no such file" in made.stdout and "left out" in made.stdout
+    assert "calf.dae: no such file" in made.stdout and "visual mesh skipped" in made.stdout
     assert pathlib.Path("mydog/meshes/wedge.STL").read_bytes() == stl
     assert understudy("check", "mydog/mydog.yaml").returncode == 0

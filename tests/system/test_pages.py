@@ -6,9 +6,9 @@ import re
 import pytest
 
 ROOT = pathlib.Path(__file__).parents[2]
-PAGES = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CONVENTIONS.md")] + sorted((ROOT / "docs").glob("*.md"))
+PAGES = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CONVENTIONS.md")] + sorted((ROOT / "docs").rglob("*.md"))
 # Shipped files, and the page that prints them.
-PRINTED = {"examples/randomization.yaml": "randomization.md", "examples/campaign/shoves.yaml": "rehearsing.md"}
+PRINTED = {"examples/randomization.yaml": "reference/randomization.md", "examples/campaign/shoves.yaml": "rehearsing.md"}
 
 
 def without_code(text):

@@ -264,3 +264,20 @@ def test_no_drag_takes_the_view_under_the_ground(page):
     page.becomes("panel.view.controls.getPolarAngle() > 1.5")
     assert page.evaluate("panel.view.camera.position.z") > 0.02
     page.evaluate("panel.view.home()")
+
+
+def test_the_list_of_robots_leads_to_the_panel_of_another(play, visit, tmp_path):
+    world = tmp_path / "world.yaml"
+    world.write_text("robots: {left: {robot: go2}, right: {robot: g1, start: {pose: hanging}}}\n")
+    page = visit(url_of(play(world, name="pair", ready=False)))
+    page.becomes("document.getElementById('robots').length === 2")
+    assert page.evaluate("document.getElementById('robots').selectedOptions[0].text") == "left"
+    here = page.evaluate("location.port")
+    page.evaluate("""(() => {
+      const robots = document.getElementById("robots");
+      robots.value = robots.options[1].value;
+      robots.dispatchEvent(new Event("change"));
+    })()""")
+    page.becomes(f"location.port !== '{here}' && window.panel?.view.placed"
+                 " && document.getElementById('robots').selectedOptions[0]?.text === 'right'")
+    assert "G1" in page.text("#robot").upper()

@@ -1,8 +1,6 @@
 """What the panel does to a robot that is held, to its settings, by touch, and when its run has ended."""
 
 import json
-import os
-import stat
 
 from panel_page import PHONE, browser, show, url_of, visit
 from peers import go_command, speaker, GoLowCmd
@@ -84,31 +82,21 @@ def test_a_setting_is_seen_with_its_unit_and_range_and_changed(play, visit):
                  " one.textContent.includes('set gate.timeout: 0.5 s, before 0.2'))")
 
 
-def test_the_tab_of_yesterday_finds_the_robot_of_today(play, visit, state_dir):
+def test_an_open_tab_finds_the_next_robot_of_the_domain_and_asks_for_its_url(play, visit):
     first = play("go2", name="dog")
     address = url_of(first)
     page = visit(address)
     first.end()
     page.becomes("document.getElementById('lost').textContent.startsWith('Connection lost')")
-    kept = state_dir / "understudy" / "dog.panel"
-    assert stat.S_IMODE(os.stat(kept).st_mode) == 0o600
 
     second = play("go2", name="dog")
 
-    assert url_of(second) == address
-    page.becomes("document.body && !document.body.classList.contains('looking') && window.panel?.view.placed")
-    page.click("#pause")
-    second.becomes(lambda now: now["paused"])
-    page.errors.clear()  # the browser reports a server that is not there
-
-
-def test_what_others_may_read_is_not_believed(play, state_dir):
-    kept = state_dir / "understudy" / "dog.panel"
-    kept.parent.mkdir(parents=True)
-    token = "0" * 32
-    kept.write_text(f"7999 {token}\n")
-    kept.chmod(0o644)
-    assert token not in url_of(play("go2", name="dog"))
+    place, token = url_of(second).split("#")
+    assert place == address.split("#")[0]
+    assert token != address.split("#")[1]
+    page.becomes("document.getElementById('token')?.textContent.includes('Open the new URL')")
+    page.becomes("window.panel?.view.placed")
+    page.errors.clear()  # the browser reports a server that is not there and a token refused
 
 
 def test_a_joint_is_refused_beyond_its_range(play):

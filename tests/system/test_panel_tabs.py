@@ -74,10 +74,10 @@ def test_the_dds_tab_tells_who_reads_and_writes_how_often_and_what_does_not_matc
     # Who has gone is forgotten; all topics are there when they are asked for.
     page.becomes("document.querySelectorAll('#dds-rows tr').length === 0")
     page.click("#dds-all")
-    page.evaluate("Object.assign(document.getElementById('dds-search'), { value: 'SPORT request' })"
+    page.evaluate("Object.assign(document.getElementById('dds-search'), { value: 'SWITCHER request' })"
                   ".dispatchEvent(new Event('input'))")
     page.becomes("[...document.querySelectorAll('#dds-rows .name')].map((one) => one.textContent).join()"
-                 " === 'rt/api/sport/request,rt/api/sport_lease/request'")
+                 " === 'rt/api/motion_switcher/request,rt/api/motion_switcher_lease/request'")
     show(page, "remote")
 
 

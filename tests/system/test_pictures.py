@@ -23,11 +23,16 @@ def size_of(png):
     return struct.unpack(">II", head[16:24])
 
 
-def colors_of(png):
-    """How many different pixels a picture has."""
+def pixels_of(png):
+    """Each pixel's red, green and blue, row by row."""
     raw = subprocess.run(["ffmpeg", "-loglevel", "error", "-i", png, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
                          capture_output=True, check=True).stdout
-    return len({raw[i:i + 3] for i in range(0, len(raw), 3)})
+    return [tuple(raw[i:i + 3]) for i in range(0, len(raw), 3)]
+
+
+def colors_of(png):
+    """How many different pixels a picture has."""
+    return len(set(pixels_of(png)))
 
 
 def probe(film):
@@ -72,15 +77,27 @@ def test_a_picture_shows_what_is_asked_for(play, understudy, tmp_path):
     assert plain.read_bytes() != collision.read_bytes()
 
 
+def test_a_picture_is_taken_from_where_the_robots_camera_is(play, understudy, tmp_path):
+    scene = tmp_path / "wall.xml"
+    scene.write_text('<mujoco><worldbody><geom type="plane" size="0 0 1"/>'
+                     '<geom type="box" size="0.1 3 3" pos="1.6 0 3" rgba="1 0 0 1"/></worldbody></mujoco>')
+    robot = play("go2", "--start", "clamped", "--scene", scene)
+    picture = tmp_path / "front.png"
+    done = understudy("picture", picture, "--name", robot.name, "--size", "32x18", "--camera", "front")
+    assert done.returncode == 0, done.stderr
+    red, green, blue = pixels_of(picture)[9 * 32 + 16]
+    assert red > 2 * green and red > 2 * blue
+
+
 def test_a_picture_is_refused_with_a_reason(play, understudy, tmp_path):
     robot = play("go2")
     there = tmp_path / "there.png"
     there.write_bytes(b"mine")
     here = ("--name", robot.name, "--size", "32x32")
     for arguments, code, words in (
-            ((there, *here), 1, ["there.png", "--overwrite"]),
+            ((there, *here), 9, ["there.png", "--overwrite"]),
             ((tmp_path / "no" / "a.png", *here), 1, ["no folder"]),
-            ((tmp_path / "a.png", *here, "--camera", "front"), 4, ["front"]),
+            ((tmp_path / "a.png", *here, "--camera", "frnt"), 4, ["frnt"]),
             ((tmp_path / "a.png", *here, "--track", "FR_caf"), 4, ["FR_caf", "FR_calf"]),
             ((tmp_path / "a.jpg", *here), 2, [".png"]),
             ((tmp_path / "a.png", "--name", robot.name, "--size", "0x9"), 2, ["WIDTHxHEIGHT"]),
@@ -145,7 +162,7 @@ def test_a_film_is_refused_with_a_reason(play, understudy, tmp_path):
     there.write_bytes(b"mine")
     here = ("--name", robot.name, "--size", "32x32", "--seconds", 0.2)
     for arguments, code, word in (
-            ((there, *here), 1, "--overwrite"),
+            ((there, *here), 9, "--overwrite"),
             ((tmp_path / "a.avi", *here), 2, ".mp4"),
             ((tmp_path / "a.mp4", "--name", robot.name, "--size", "33x32"), 1, "even"),
             ((tmp_path / "a.mp4", *here, "--fps", 0), 2, "--fps")):

@@ -1,11 +1,15 @@
-"""examples/policy: what deploy.py makes of a policy's file, and what it does when that is not good enough."""
+"""examples/policy: what deploy.py makes of a policy's file, and what it does when that is not good enough. What
+`understudy policy check` finds."""
 
 import importlib.util
 import pathlib
+import re
 import sys
 
 import numpy as np
 import pytest
+
+from policies import write_policy
 
 POLICY = pathlib.Path(__file__).parents[2] / "examples" / "policy"
 
@@ -62,3 +66,37 @@ def test_a_policy_whose_robot_falls_damps_and_ends_with_code_1(understudy, tmp_p
                          f"{sys.executable} {POLICY}/deploy.py {policy} lo --at-once --seconds 8")
     assert written.returncode == 1, written.stdout + written.stderr
     assert "it fell" in written.stdout and "damping" in written.stdout
+
+
+def test_a_policy_that_fits_is_tried_and_its_joints_are_shown(understudy, tmp_path):
+    done = understudy("policy", "check", write_policy(tmp_path), "--robot", "go2", "--velocity", "0.5", "0", "0")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "45 numbers in, 12 out, every 0.02 s" in done.stdout
+    assert re.search(r"^FL_calf_joint +5 +-1.500 +-2.72 +-0.84 +0.250 +40 +2 +45.43$", done.stdout, re.MULTILINE)
+    assert re.search(r"^5.0 s: 250 commands taken, 0 refused; tilt at most [0-9.]+ deg", done.stdout, re.MULTILINE)
+
+
+@pytest.mark.parametrize("old, new, code, told", [
+    ("base_ang_vel", "base_angvel", 3, "did you mean 'base_ang_vel'"),
+    ("  joint_pos_rel: {params: {}, clip: [-100, 100]}\n", "", 3, "the network takes 45 numbers; the observations"),
+    ("[0, 1, 2, 3,", "[0, 1, 2, 2,", 3, "FR_calf_joint is in the list already"),
+    ("default_joint_pos: [0,", "default_joint_pos: [2,", 10, "FR_hip_joint: default_joint_pos is outside"),
+    ("stiffness: [20,", "stiffness: [0,", 10, "FR_hip_joint: has an action, and its stiffness is 0"),
+    ("damping: [1,", "damping: [-1,", 3, "damping.0: expected at least 0"),
+    ("step_dt: 0.02", "step_dt: 0.0015", 3, "step_dt: expected a multiple"),
+    ("stiffness: [20, 20, 40, 20, 20, 40, 20, 20, 40, 20, 20, 40]", "stiffness: [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1]", 10,
+     "the robot sank down"),
+])
+def test_a_policy_that_does_not_fit_is_refused_before_it_moves_or_fails(understudy, tmp_path, old, new, code, told):
+    file = write_policy(tmp_path)
+    text = file.read_text()
+    assert old in text
+    file.write_text(text.replace(old, new))
+    done = understudy("policy", "check", file, "--robot", "go2")
+    assert (done.returncode, told in done.stdout + done.stderr) == (code, True), done.stdout + done.stderr
+    assert ("commands taken" in done.stdout) == ("sank" in told)
+
+
+def test_a_humanoid_is_let_go_on_its_feet(understudy, tmp_path):
+    done = understudy("policy", "check", write_policy(tmp_path, "g1"), "--robot", "g1", "--seconds", "0.5")
+    assert done.returncode == 0 and "25 commands taken, 0 refused" in done.stdout, done.stdout + done.stderr

@@ -1,7 +1,9 @@
 """Settings of the process itself have an effect; those of what it plays: tests/run/settings_test.cc."""
 
+import os
 import pathlib
 import re
+import resource
 import shutil
 import time
 
@@ -45,6 +47,26 @@ def test_listening_takes_its_time(key, interface):
             assert f"on {interface}" in done.stderr
             walls.append(time.monotonic() - started)
     assert walls[1] > walls[0] + 0.7, walls
+
+
+def test_too_few_processes_are_said(tmp_path):
+    """Root may start any number, so nobody does it; Cyclone would end the process without a word."""
+    def few():
+        if os.geteuid() == 0:
+            os.setgroups([])
+            os.setgid(65534)
+            os.setuid(65534)
+        resource.setrlimit(resource.RLIMIT_NPROC, (4, 4))
+    tmp_path.chmod(0o777)
+    for folder in tmp_path.parents:
+        if folder.is_relative_to("/tmp") and folder != pathlib.Path("/tmp"):
+            folder.chmod(0o755)
+    private = tmp_path / "control"
+    done = understudy("run", "go2", "--duration", "0.1", "--domain", "57", preexec_fn=few,
+                      env={**os.environ, "UNDERSTUDY_RUNTIME_DIR": str(private), "HOME": str(tmp_path),
+                           "TMPDIR": str(tmp_path)})
+    assert done.returncode == 5, done.stderr
+    assert "threads" in done.stderr and "ulimit -u" in done.stderr
 
 
 @pytest.mark.parametrize(("action", "code"), [("stop", 7), ("reset", 0)])

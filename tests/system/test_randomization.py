@@ -7,7 +7,7 @@ import re
 from peers import listener
 from robots import Robot
 
-DOCS = pathlib.Path(__file__).parents[2] / "docs" / "randomization.md"
+DOCS = pathlib.Path(__file__).parents[2] / "docs" / "reference" / "randomization.md"
 OPTIONS = [word for setting in (
     "start.pose=standing", "randomization.mass=[0.8, 1.2]", "randomization.kp=[0.8, 1.2]",
     "randomization.timestep=[0.0005, 0.001]", "randomization.delay=[0, 0.004]")

@@ -8,6 +8,7 @@ import signal
 import time
 
 import pytest
+import yaml
 from mcap.exceptions import EndOfFile
 from mcap.reader import make_reader
 from mcap.records import Message
@@ -159,6 +160,21 @@ def test_a_part_of_a_run_is_recorded_on_request(play, tmp_path):
     assert Recording(file).ticks()[0] > ticks[-1]
 
 
+def test_a_recording_has_the_configuration_in_effect_when_it_begins(play, tmp_path):
+    robot = play("go2", "--set", "sensors.noise=true", "--set", "terrain.friction=0")
+    for words in (["set", "sensors.noise", "false"], ["set", "terrain.friction", "0.2"], ["speed", "0.5"],
+                  ["record", "start", "part.mcap"], ["record", "stop"]):
+        done = understudy("ctl", *words, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
+    recording = Recording(tmp_path / "part.mcap")
+    config = yaml.safe_load(recording.attachments["config.yaml"])
+
+    assert config["sensors"]["noise"] is False
+    assert config["terrain"]["friction"] == 0.2
+    assert config["time"]["speed"] == 0.5
+    assert float(recording.about["speed"]) == 0.5
+
+
 def test_a_recording_on_request_names_itself_and_tells_why_it_cannot_be(play, tmp_path):
     robot = play("go2")
     done = understudy("ctl", "record", "start", tmp_path / "none" / "x.mcap")
@@ -220,6 +236,15 @@ def test_nothing_is_lost_however_fast_time_runs(play, folder, robot, speed, step
     assert "not in it" not in fast.said()
 
 
+@pytest.mark.parametrize("speed", ["1", "max"])
+def test_a_run_ends_in_the_step_of_its_duration(play, tmp_path, speed):
+    file = tmp_path / "run.mcap"
+    robot = play("g1", "--record", file, "--speed", speed, "--duration", "0.502", ready=False)
+
+    assert robot.exit_code() == 0, robot.said()
+    assert Recording(file).ticks() == list(range(502))
+
+
 def test_a_killed_run_leaves_what_was_flushed(play, folder):
     file = folder / "killed.mcap"
     robot = play("go2", "--record", file)
@@ -242,15 +267,16 @@ def test_a_full_disk_is_said_and_the_robot_goes_on(play, folder):
     robot.heard("File too large: recording has stopped; the robot continues", "error")
     before = robot.status()
     after = robot.becomes(lambda status: status["published"] > before["published"] + 100)
-    stop(robot)
+    robot.send(signal.SIGTERM)
 
+    assert robot.exit_code() == 9
     assert after["recording"]["state"] == "failed"
     assert file.stat().st_size < few
     with file.open("rb") as stream, pytest.raises(EndOfFile):
         list(StreamReader(stream, validate_crcs=True).records)
 
 
-def test_a_recording_is_not_replaced_unasked(folder, understudy):
+def test_a_recording_is_not_replaced_unasked(folder, play, understudy):
     file = folder / "there.mcap"
     file.write_text("precious")
     done = understudy("run", "go2", "--record", file)
@@ -259,6 +285,11 @@ def test_a_recording_is_not_replaced_unasked(folder, understudy):
     assert "exists already" in done.stderr and "--overwrite" in done.stderr
     assert file.read_text() == "precious"
     assert understudy("run", "go2", "--record", folder / "none/there.mcap").returncode == 9
+    # Nor by a run that is refused.
+    there = play("go2", "--domain", 6)
+    refused = understudy("run", "go2", "--name", there.name, "--domain", 5, "--record", file, "--overwrite")
+    assert refused.returncode == 8, refused.stderr
+    assert file.read_text() == "precious"
     assert understudy("run", "go2", "--overwrite").returncode == 2
     done = understudy("run", "go2", "--record", file, "--overwrite", "--duration", "0.5")
     assert done.returncode == 0, done.stderr

@@ -174,7 +174,7 @@ expect:
     done = rehearse(file, program=[sys.executable, "-c", program])
     assert done.returncode == 0, done.stdout + done.stderr
     assert "a policy\npolicy loaded\n" in done.stdout
-    assert "prints.yaml:7: waited 0.2 s in vain" in done.stderr
+    assert "prints.yaml:7: timed out after 0.2 s" in done.stderr
     assert set(outcomes(tmp_path / "out").values()) == {"passed"}
 
 
@@ -198,8 +198,9 @@ def test_a_stop_signal_has_it_judge_what_there_is_and_finish_the_recording(runti
         eventually(lambda: (out / "recording.mcap").exists() and (out / "recording.mcap").stat().st_size > 3_000_000)
         process.send_signal(number)
         _, said = process.communicate(timeout=30)
-    assert process.returncode in (0, OPEN), said
+    assert process.returncode == OPEN, said
     assert verdicts(out)["stopped"] == "interrupted"
+    assert set(outcomes(out).values()) == {"not judged"}
     with open(out / "recording.mcap", "rb") as recording:
         assert make_reader(recording, validate_crcs=True).get_summary().statistics.message_count > 1000
     assert list(runtime_dir.iterdir()) == []
@@ -318,6 +319,72 @@ def test_a_program_that_hangs_ends_at_its_limit_and_has_failed(rehearse, underst
     assert rehearse(file, program=["true"]).returncode == 0
 
 
+@pytest.mark.parametrize("event", ["{at: 0.5, service.call: {service: sport, api: 1004}}",
+                                   "{when: base.height > 9, within: 0.3, reset: {}}"])
+def test_a_script_that_is_refused_or_waits_in_vain_has_failed(rehearse, understudy, tmp_path, event):
+    file = tmp_path / "refused.yaml"
+    text = ("scenario: It asks\nrobot: go2\nstart: lying\nduration: 2\nsettings: {motion: {service: none}}\n"
+            f"script: [{event}]\nexpect:\n  - {{always: base.height > 0.01, name: is there}}\n")
+    file.write_text(text)
+    done = rehearse(file)
+    assert done.returncode == FAILED, done.stdout + done.stderr
+    assert re.search(r"\n  FAIL  the script was refused: .*refused.yaml:6: ", done.stdout)
+    assert done.stdout.index("FAIL") < done.stdout.index("PASS")
+    told = verdicts(tmp_path / "out")
+    assert told["failures"][0]["name"] == "the script" and told["failed"] == 1
+    again = understudy("judge", tmp_path / "out" / "recording.mcap", file, "--out", tmp_path / "judged")
+    assert again.returncode == FAILED
+    file.write_text(text + "  - {count: script_refused happens, least: 1, name: is refused}\n")
+    assert rehearse(file).returncode == 0
+
+
+def test_a_program_that_dies_ends_the_rehearsal_and_its_last_line_comes_first(rehearse, tmp_path):
+    file = tmp_path / "dies.yaml"
+    text = ("scenario: It dies\nrobot: go2\nduration: 30\nprogram:\n"
+            "expect:\n  - {always: base.height > 0.05, name: is there}\n")
+    file.write_text(text)
+    done = rehearse(file, program=[sys.executable, "no-such-file.py"])
+    assert done.returncode == FAILED, done.stdout + done.stderr
+    first = done.stdout.splitlines()[1]
+    assert re.match(r"  FAIL  the program ended with exit code 2 after \S+ s: .*can't open file", first), done.stdout
+    assert "can't open file" in done.stderr
+    assert verdicts(tmp_path / "out")["seconds"] < 20
+    expected = text.replace("duration: 30", "duration: 3") + "  - {eventually: program.exit_code is 2, name: as it should}\n"
+    file.write_text(expected)
+    assert rehearse(file, program=["sh", "-c", "exit 2"]).returncode == 0
+
+
+def test_a_first_scenario_is_written_for_a_program(understudy, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    done = understudy("rehearse", "--init", "walk.yaml", "--", "sh", "-c", "sleep 1; exit $0", "0")
+    assert done.returncode == 0, done.stderr
+    assert understudy("check", "walk.yaml").returncode == 0
+    done = understudy("rehearse", "walk.yaml", timeout=240)
+    assert done.returncode == 0, done.stdout + done.stderr
+    for name in ("stays upright", "no command is refused", "no call is refused"):
+        assert f"PASS  {name}" in done.stdout
+    done = understudy("rehearse", "walk.yaml", "--", "sh", "-c", "exit 3", timeout=240)
+    assert done.returncode == FAILED
+    done = understudy("rehearse", "--init", "walk.yaml", "--", "true")
+    assert done.returncode == 3 and "is there already" in done.stderr
+
+
+def test_safe_holds_the_damage_sheet_against_its_limits(rehearse, tmp_path):
+    file = tmp_path / "falls.yaml"
+    file.write_text(FALLS.replace("expect:", "expect:\n  - safe").replace("duration: 20", "duration: 4"))
+    done = rehearse(file, "--to-the-end")
+    assert done.returncode == FAILED
+    assert re.search(r"FAIL  the robot is beyond its limits: .*\(", done.stdout), done.stdout
+
+
+def test_reports_of_others_are_not_replaced(rehearse, tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "report.html").write_text("mine")
+    done = rehearse("stand_up")
+    assert done.returncode == 3 and "is not of a rehearsal" in done.stderr
+    assert (tmp_path / "out" / "report.html").read_text() == "mine"
+
+
 def test_a_rehearsal_whose_time_stands_still_fails_at_its_limit_of_wall_time(rehearse, tmp_path):
     """Its program pauses the robot and waits: no limit in simulated time ever comes."""
     file = tmp_path / "waits.yaml"
@@ -330,15 +397,16 @@ def test_a_rehearsal_whose_time_stands_still_fails_at_its_limit_of_wall_time(reh
     assert 4 < time.monotonic() - begun < 60
     assert "FAIL  the rehearsal did not end within 4 s of wall time" in done.stdout
     told = verdicts(tmp_path / "out")
-    assert told["overlong"] and told["stopped"] == "did not end within 4 s of wall time" and told["seconds"] < 5
+    assert told["failures"] == [{"name": "the rehearsal", "why": "did not end within 4 s of wall time"}]
+    assert told["seconds"] < 5
     assert outcomes(tmp_path / "out")["is there"] != "failed"
     assert '<h1><span class="word failed">' in (tmp_path / "out" / "report.html").read_text()
     xml = tmp_path / "out" / "junit.xml"
     xmlschema.XMLSchema(ROOT / "tests" / "data" / "junit.xsd").validate(xml)
     suite = ElementTree.parse(xml).getroot()[0]
     assert (suite.get("tests"), suite.get("failures")) == ("2", "1")
-    assert suite.findall("testcase")[-1].find("failure").get("message") == told["stopped"]
-    assert not rehearse(file, program=["true"]).returncode and not verdicts(tmp_path / "out")["overlong"]
+    assert suite.findall("testcase")[-1].find("failure").get("message") == told["failures"][0]["why"]
+    assert not rehearse(file, program=["true"]).returncode and not verdicts(tmp_path / "out")["failures"]
 
 
 def test_mistakes_are_explained_before_anything_starts(rehearse, understudy, tmp_path):

@@ -198,13 +198,20 @@ def test_without_a_robot_it_says_so_and_leaves_the_terminal_alone():
     assert "no robot runs" in done.stderr
 
 
-def children(robot):
-    return pathlib.Path(f"/proc/{robot.pid}/task/{robot.pid}/children").read_text().split()
+def child_of(pid):
+    (child,) = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    return child
+
+
+def gamepad_of(robot):
+    """The process of its gamepad: between them is a keeper, which ends what a program leaves."""
+    keeper = child_of(robot.pid)
+    return eventually(lambda: pathlib.Path(f"/proc/{keeper}/task/{keeper}/children").read_text().strip())
 
 
 def test_a_run_with_a_gamepad_goes_on_without_one(play):
     robot = play("go2", "--gamepad", env={**os.environ, **NO_PADS})
-    [gamepad] = children(robot)
+    gamepad = gamepad_of(robot)
     eventually(lambda: pathlib.Path(f"/proc/{gamepad}/comm").read_text() == "understudy-remo\n")
     robot.becomes(lambda now: now["time"] > 0.5)
     assert robot.status()["remote"]["there"] is False
@@ -216,7 +223,7 @@ def test_a_run_with_a_gamepad_goes_on_without_one(play):
 
 def test_the_gamepad_of_a_run_ends_with_it(play):
     robot = play("go2", "--gamepad", env={**os.environ, **NO_PADS})
-    [gamepad] = children(robot)
+    gamepad = gamepad_of(robot)
     robot.send(signal.SIGKILL)
     stat = pathlib.Path(f"/proc/{gamepad}/stat")
     eventually(lambda: not stat.exists() or " Z " in stat.read_text(), what="it is gone")

@@ -206,7 +206,7 @@ def test_nobody_plays_them_as_the_robots(file):
 def test_other_commands_take_the_recording(file, tmp_path):
     told = json.loads(understudy("recording", file, "--json").stdout)
     assert set(TOPICS) <= {channel["topic"] for channel in told["channels"]}
-    for command in (["plot", file, "--out", tmp_path / "a.png"], ["compare", file, file]):
+    for command in (["plot", file, "--out", tmp_path / "a.svg"], ["compare", file, file]):
         done = understudy(*command)
         assert done.returncode == 0, done.stderr
 

@@ -24,7 +24,7 @@ def tool():
 
 
 def test_all_49_and_41_examples_are_known_and_in_the_document():
-    documented = re.findall(r"^\| (\S+\.(?:py|cpp)) \|", (REPO / "docs/examples.md").read_text(),
+    documented = re.findall(r"^\| (\S+\.(?:py|cpp)) \|", (REPO / "docs/reference/examples.md").read_text(),
                             re.MULTILINE)
     assert [len(ROWS["cpp"]), len(ROWS["python"])] == [49, 41]
     assert sorted(documented) == sorted(row["path"] for rows in ROWS.values() for row in rows)

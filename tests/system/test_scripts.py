@@ -11,7 +11,7 @@ from unitree_sdk2py.idl.unitree_go.msg.dds_ import WirelessController_
 
 from peers import HgLowState, listener
 
-DOCS = pathlib.Path(__file__).parents[2] / "docs" / "scripts.md"
+DOCS = pathlib.Path(__file__).parents[2] / "docs" / "reference" / "scripts.md"
 
 
 # How each script of the document is played, in its order: robot, options, and what a shell does beside it.
@@ -59,7 +59,7 @@ def test_each_script_of_the_document_is_sound_and_runs_to_its_end(understudy, tm
 
 
 def test_the_shipped_script_brings_a_g1_from_its_crane_to_its_feet(understudy):
-    plays_to_its_end(understudy, DOCS.parents[1] / "examples" / "scripts" / "morning.yaml", "g1", (), "sleep 60")
+    plays_to_its_end(understudy, DOCS.parents[2] / "examples" / "scripts" / "morning.yaml", "g1", (), "sleep 60")
 
 
 def test_what_a_script_waits_for_is_in_the_status_and_in_the_log(play, tmp_path):
@@ -75,7 +75,7 @@ def test_what_a_script_waits_for_is_in_the_status_and_in_the_log(play, tmp_path)
     assert "waits.yaml:2: crane happens" in robot.ctl("status")
     robot.ctl("crane", "attach")
     robot.heard("for 'crane happens'")
-    robot.heard("waits.yaml:3: waited 0.5 s in vain", "warning")
+    robot.heard("waits.yaml:3: timed out after 0.5 s", "warning")
     status = robot.becomes(lambda now: now["script"]["waits_for"] == "lowcmd arrives")
     assert (status["script"]["done"], status["script"]["refused"]) == (2, 1)
     robot.send(signal.SIGINT)

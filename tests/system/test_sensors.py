@@ -47,7 +47,7 @@ def test_what_the_user_sets_lies_above_the_profile(understudy):
     printed = understudy("run", "go2", "--profile", "worn", "--set", "sensors.encoder.zero=0.5", "--print-config")
     assert "\nprofile: worn\n" in printed.stdout
     assert "    zero: 0.5\n" in printed.stdout
-    assert "    gyro_bias: 5e-04\n" in printed.stdout
+    assert "    gyro_bias: 0.0005\n" in printed.stdout
 
 
 def test_a_scenario_and_its_campaign_have_a_profile_and_their_reports_name_it(understudy, tmp_path):

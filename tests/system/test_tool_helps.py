@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 
 import pytest
@@ -15,7 +16,7 @@ TOOLS = sorted(file.name for file in (ROOT / "tools").iterdir() if file.is_file(
 ELSEWHERE = {
     "tools/sdk_env": "made the environment in which this runs",
     "tools/run_examples (python|cpp) SDK": "needs the vendor's SDKs: test_run_examples.py has it run programs of theirs",
-    "tools/identify_go2 CHECKOUT": "needs recordings of others, which nothing here fetches: docs/identify.md says what it told",
+    "tools/identify_go2 CHECKOUT": "needs recordings of others, which nothing here fetches: docs/reference/identify.md says what it told",
 }
 
 
@@ -56,6 +57,125 @@ def test_what_up_starts_after_it_has_built_goes_as_the_help_says(line):
     _, robot, *options = line.split()
     done = understudy("run", robot, *options, "--duration", "0.1", "--no-panel")
     assert done.returncode == 0, done.stderr
+
+
+def test_add_prints_the_list_of_a_kind_and_names_the_kinds():
+    kinds = [line.split()[0] for line in run(ROOT / "tools/add").stdout.splitlines()]
+    assert {"fault", "sensor", "topic", "request", "robot"} <= set(kinds)
+    for kind in kinds:
+        assert "- [ ] " in run(ROOT / "tools/add", kind).stdout, kind
+    assert "`src/robot/fault.cc`" in run(ROOT / "tools/add", "fault").stdout
+
+
+def test_add_prints_the_lists_of_several_kinds_one_after_the_other():
+    text = run(ROOT / "tools/add", "sensor", "topic").stdout
+    assert text.index("# sensor\n") < text.index("`src/sensors/`") < text.index("# topic\n") < text.index("topic_list.inc")
+
+
+def test_add_names_the_nearest_kind():
+    for words in (["fualt"], ["sensor", "fualt"]):
+        done = run(ROOT / "tools/add", *words)
+        assert done.returncode == 2
+        assert done.stderr == "add: fualt: no such kind; did you mean fault?\n"
+
+
+PAGE = "docs/page" + ".md"  # of the house
+
+
+@pytest.fixture(name="house")
+def house_fixture(tmp_path):
+    """A repository of its own with the tools of pages, and one page."""
+    for name in ("rooms", "add", "words"):
+        (tmp_path / "tools").mkdir(exist_ok=True)
+        shutil.copy(ROOT / "tools" / name, tmp_path / "tools" / name)
+    (tmp_path / "tools/words.txt").write_text(f"frobs -> it again\n{PAGE} 1\n")
+    (tmp_path / "docs/images").mkdir(parents=True)
+    for name in ("README.md", "CONTRIBUTING.md", "CONVENTIONS.md"):
+        (tmp_path / name).write_text("# One\n")
+    return tmp_path
+
+
+def commit(house):
+    for words in (["init", "-q", "-b", "work"], ["add", "-A"],
+                  ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "-m", "One"]):
+        subprocess.run(["git", "-C", house, *words], check=True)
+
+
+def sentence(words):
+    return "A " + "word " * (words - 2) + "more."
+
+
+def test_words_finds_more_long_sentences_than_a_page_may_have(house):
+    page = house / PAGE
+    page.write_text(f"# One\n\n{sentence(26)} {sentence(25)}\n\n| {sentence(25)} | {sentence(9)} |\n")
+    assert run(house / "tools/words").returncode == 0
+
+    page.write_text(f"# One\n\n- {sentence(26)}\n- {sentence(27)}\n")
+    done = run(house / "tools/words")
+    assert done.returncode == 1
+    assert f"{PAGE}:4: a sentence of 27 words" in done.stderr
+    assert "2 sentences of more than 25 words, it may have 1" in done.stderr
+
+
+def test_words_names_the_sentence_that_the_page_did_not_have(house):
+    page = house / PAGE
+    page.write_text(f"{sentence(26)}\n")
+    commit(house)
+    page.write_text(f"{sentence(26)}\n\n{sentence(30)}\n")
+    commit(house)
+    done = run(house / "tools/words")
+    assert f"{PAGE}:3: a sentence of 30 words" in done.stderr
+    assert "26 words" not in done.stderr
+
+
+def test_words_lowers_what_a_page_may_have_and_never_raises_it(house):
+    page, table = house / PAGE, house / "tools/words.txt"
+    page.write_text(f"{sentence(26)} {sentence(26)}\n")
+    run(house / "tools/words", "--lower")
+    assert f"{PAGE} 1\n" in table.read_text()
+
+    page.write_text(f"{sentence(25)}\n")
+    run(house / "tools/words", "--lower")
+    assert PAGE not in table.read_text()
+
+
+def test_words_reads_the_lines_that_a_change_adds_and_no_others(house):
+    page = house / PAGE
+    page.write_text("It does frobs.\n")
+    commit(house)
+    page.write_text("It does frobs.\nIt does so.\n")
+    commit(house)
+    assert run(house / "tools/words").returncode == 0
+
+    page.write_text("It does frobs.\nIt does so.\nFrobs it goes.\n")
+    done = run(house / "tools/words")
+    assert done.returncode == 1
+    assert done.stderr == f"{PAGE}:3: 'Frobs': write it again\n"
+
+
+def test_words_says_that_it_read_no_changes_where_there_is_no_history(house):
+    (house / PAGE).write_text("It does frobs.\n")
+    done = run(house / "tools/words")
+    assert done.returncode == 0
+    assert "there is no history here" in done.stdout
+
+
+def test_rooms_draws_a_floor_for_each_room_above_what_it_includes(house):
+    for room, includes in (("base", ""), ("wire", "base"), ("run", "wire")):
+        (house / "src" / room).mkdir(parents=True)
+        (house / "src" / room / "a.cc").write_text(f'#include "{includes}/a.h"\n')
+    assert run(house / "tools/rooms", "--check").returncode == 1
+    assert run(house / "tools/rooms").returncode == 0
+    assert run(house / "tools/rooms", "--check").returncode == 0
+    picture = (house / "docs/images/rooms.svg").read_text()
+    height = {name: float(y) for y, name in re.findall(r'<text x="[\d.]+" y="([\d.]+)"[^>]*>(\w+)<', picture)}
+    assert height["run"] < height["wire"] < height["base"]
+    assert picture.count("marker-end") == 2
+
+    (house / "src/base/a.cc").write_text('#include "run/a.h"\n')
+    done = run(house / "tools/rooms")
+    assert done.returncode == 1
+    assert "include each other: base -> run -> wire -> base" in done.stderr
 
 
 def test_no_other_help_of_a_tool_has_an_example():

@@ -256,7 +256,7 @@ TEST_F(TerrainTest, FlatIsTheFlatSceneOfTheModels) {
 }
 
 TEST_F(TerrainTest, HasARowInTheDocumentForEachKind) {
-  const std::string document = Bytes(UNDERSTUDY_SOURCE_DIR "/docs/terrain.md");
+  const std::string document = Bytes(UNDERSTUDY_SOURCE_DIR "/docs/reference/terrain.md");
   for (const std::string& kind : TerrainKinds()) {
     EXPECT_THAT(document, HasSubstr("\n| `" + kind + "` | "));
   }

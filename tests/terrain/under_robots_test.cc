@@ -25,7 +25,7 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
   }
 
   physics::World World() {
-    const robot::RobotSpec& spec = config_.robot;
+    const robot::RobotSpec& spec = config_.robots[0].spec;
     return {physics::LoadWorldModel({{spec, data_dir_ / "models" / spec.model}},
                                     Write(GetParam().kind) / "scene.xml", 0.001),
             {{spec}}};
@@ -51,7 +51,7 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
 
   // How far [m] it has to fall at most until it touches: g1.yaml has it lie 56 mm over the ground.
   double Drop(const robot::PoseSpec& pose) const {
-    return GetParam().robot == "g1" && &pose == &config_.robot.lying ? 0.06 : 0.02;
+    return GetParam().robot == "g1" && &pose == &config_.robots[0].spec.lying ? 0.06 : 0.02;
   }
 
   const std::filesystem::path data_dir_ = UNDERSTUDY_SOURCE_DIR;
@@ -62,7 +62,7 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
 TEST_P(TerrainOfKindTest, CarriesTheRobotWithoutAWarning) {
   spec_.difficulty = 1;
   physics::World world = World();
-  world.robot().Reset(config_.robot.lying);
+  world.robot().Reset(config_.robots[0].spec.lying);
   const std::vector<double> tau(world.robot().q().size());
   for (int i = 0; i < 200; ++i) {
     world.BeginStep();
@@ -74,7 +74,8 @@ TEST_P(TerrainOfKindTest, CarriesTheRobotWithoutAWarning) {
 
 TEST_P(TerrainOfKindTest, HasTheRobotOnThePlatformAtTheStart) {
   physics::World world = World();
-  for (const robot::PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
+  for (const robot::PoseSpec* pose :
+       {&config_.robots[0].spec.standing, &config_.robots[0].spec.lying}) {
     world.robot().Reset(*pose);
     EXPECT_EQ(world.robot().base().p_WB.z(), pose->height);
     EXPECT_GT(Clearance(world, 0), -0.01);
@@ -85,14 +86,15 @@ TEST_P(TerrainOfKindTest, HasTheRobotOnThePlatformAtTheStart) {
 TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
   spec_.difficulty = 0.7;
   for (const double start : {3.0, 5.5, 7.3}) {  // m along the patch; the ground is moved, not it
-    mjcf::ModelHandle model =
-        physics::LoadWorldModel({{config_.robot, data_dir_ / "models" / config_.robot.model}},
-                                Write(GetParam().kind) / "scene.xml", 0.001);
+    mjcf::ModelHandle model = physics::LoadWorldModel(
+        {{config_.robots[0].spec, data_dir_ / "models" / config_.robots[0].spec.model}},
+        Write(GetParam().kind) / "scene.xml", 0.001);
     for (int body = 1; body < model->nbody; ++body) {
       if (model->body_weldid[body] == 0) model->body_pos[3 * body] -= start;
     }
-    physics::World world(std::move(model), {{config_.robot}});
-    for (const robot::PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
+    physics::World world(std::move(model), {{config_.robots[0].spec}});
+    for (const robot::PoseSpec* pose :
+         {&config_.robots[0].spec.standing, &config_.robots[0].spec.lying}) {
       world.robot().Reset(*pose);
       EXPECT_GT(Clearance(world, 0), -0.01) << "at " << start;
       EXPECT_LT(Clearance(world, Drop(*pose)), 0) << "at " << start;
@@ -103,7 +105,7 @@ TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
 TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
   spec_.friction = 0.3;  // less than any robot's own
   physics::World world = World();
-  world.robot().Reset(config_.robot.standing);
+  world.robot().Reset(config_.robots[0].spec.standing);
   const std::vector<double> tau(world.robot().q().size());
   int touching = 0;
   for (int i = 0; i < 300; ++i) {
@@ -142,7 +144,8 @@ TEST_P(TerrainOfKindTest, RubsAsMuchAsIsSetLaterUntilThatIsTakenBack) {
 TEST_P(TerrainOfKindTest, IsTheSameWorldWhenReadFromWhatWasWritten) {
   const auto save = [&](const std::filesystem::path& folder) {
     const mjcf::ModelHandle model = physics::LoadWorldModel(
-        {{config_.robot, data_dir_ / "models" / config_.robot.model}}, folder / "scene.xml", 0.001);
+        {{config_.robots[0].spec, data_dir_ / "models" / config_.robots[0].spec.model}},
+        folder / "scene.xml", 0.001);
     std::string bytes(static_cast<std::size_t>(mj_sizeModel(model.get())), '\0');
     mj_saveModel(model.get(), nullptr, bytes.data(), static_cast<int>(bytes.size()));
     return bytes;

@@ -247,27 +247,40 @@ TEST(PacerTest, WaitsNoLongerThanItIsToldForAStepThatIsFarOff) {
 }
 
 // Steps while paused are made at the pace that is set, and what passed in between is no lateness.
+TEST(PacerTest, HoldsAStepThatIsNotLateAfterwards) {
+  test::ManualClock clock;
+  Pacer pacer(&clock, kPeriod, 1);
+  pacer.WaitFor(0);
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(pacer.Hold(1, 2ms).due);
+  EXPECT_EQ(clock.Now(), 200ms);
+  EXPECT_TRUE(pacer.WaitFor(1).due);
+  EXPECT_EQ(clock.Now(), 200ms);
+  EXPECT_EQ(pacer.reading().overruns, 0U);
+  pacer.WaitFor(2);
+  EXPECT_EQ(clock.Now(), 210ms);
+}
+
 TEST(PacerTest, FollowsAPauseWithoutABurstOrAnOverrun) {
   test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   Pace pace;
-  EXPECT_TRUE(pacer.Follow(pace, 0, 2s).due);
-  EXPECT_TRUE(pacer.Follow(pace, 1, 2s).due);
+  EXPECT_TRUE(pacer.WaitFor(pace, 0, 2s).due);
+  EXPECT_TRUE(pacer.WaitFor(pace, 1, 2s).due);
   pace.paused = true;
-  EXPECT_FALSE(pacer.Follow(pace, 2, 2s).due);
-  EXPECT_FALSE(pacer.Follow(pace, 2, 2s).due);
+  EXPECT_FALSE(pacer.WaitFor(pace, 2, 2s).due);
+  EXPECT_FALSE(pacer.WaitFor(pace, 2, 2s).due);
   EXPECT_EQ(clock.Now(), 4010ms);
   EXPECT_EQ(pacer.reading().real_time_factor, 0);
 
   pace.steps_left = 2;
-  EXPECT_TRUE(pacer.Follow(pace, 2, 2s).due);
-  EXPECT_TRUE(pacer.Follow(pace, 3, 2s).due);
+  EXPECT_TRUE(pacer.WaitFor(pace, 2, 2s).due);
+  EXPECT_TRUE(pacer.WaitFor(pace, 3, 2s).due);
   EXPECT_EQ(clock.Now(), 4020ms);
   pace.steps_left = 0;
-  EXPECT_FALSE(pacer.Follow(pace, 4, 2s).due);
+  EXPECT_FALSE(pacer.WaitFor(pace, 4, 2s).due);
   pace.paused = false;
-  EXPECT_TRUE(pacer.Follow(pace, 4, 2s).due);
-  EXPECT_TRUE(pacer.Follow(pace, 5, 2s).due);
+  EXPECT_TRUE(pacer.WaitFor(pace, 4, 2s).due);
+  EXPECT_TRUE(pacer.WaitFor(pace, 5, 2s).due);
   EXPECT_EQ(clock.Now(), 6030ms);
   EXPECT_EQ(pacer.reading().overruns, 0U);
   EXPECT_EQ(pacer.reading().shifts, 0U);
@@ -277,14 +290,14 @@ TEST(PacerTest, FollowsAPauseWithoutABurstOrAnOverrun) {
 TEST(PacerTest, FollowsANewSpeedFromTheStepThatIsNext) {
   test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
-  for (std::int64_t step = 0; step <= 10; ++step) pacer.Follow({.speed = 1}, step, 1s);
+  for (std::int64_t step = 0; step <= 10; ++step) pacer.WaitFor({.speed = 1}, step, 1s);
   EXPECT_EQ(clock.Now(), 100ms);
-  EXPECT_TRUE(pacer.Follow({.speed = 0.1}, 11, 1s).due);
+  EXPECT_TRUE(pacer.WaitFor({.speed = 0.1}, 11, 1s).due);
   EXPECT_EQ(clock.Now(), 100ms);
-  EXPECT_TRUE(pacer.Follow({.speed = 0.1}, 12, 1s).due);
+  EXPECT_TRUE(pacer.WaitFor({.speed = 0.1}, 12, 1s).due);
   EXPECT_EQ(clock.Now(), 200ms);
-  EXPECT_TRUE(pacer.Follow({.speed = 0}, 13, 1s).due);
-  EXPECT_TRUE(pacer.Follow({.speed = 0}, 14, 1s).due);
+  EXPECT_TRUE(pacer.WaitFor({.speed = 0}, 13, 1s).due);
+  EXPECT_TRUE(pacer.WaitFor({.speed = 0}, 14, 1s).due);
   EXPECT_EQ(clock.Now(), 200ms);
   EXPECT_EQ(pacer.reading().overruns, 0U);
 }

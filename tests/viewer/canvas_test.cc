@@ -26,13 +26,13 @@ Pixel At(const Image& image, int x, int y) {
 
 class CanvasTest : public test::MujocoTest {
  protected:
-  Image Draw(double x, bool fine) {
+  Image Draw(double x, Canvas::Edges edges) {
     stage_.Show(BallAt(x));
     mjvCamera camera;
     mjv_defaultCamera(&camera);
     camera.type = mjCAMERA_FIXED;
     camera.fixedcamid = stage_.Camera("above");
-    Canvas canvas(&stage_, {.width = 64, .height = 48}, fine);
+    Canvas canvas(&stage_, {.width = 64, .height = 48}, edges);
     stage_.Compose(&camera, {}, nullptr);
     return canvas.Draw(&stage_);
   }
@@ -42,15 +42,16 @@ class CanvasTest : public test::MujocoTest {
 };
 
 TEST_F(CanvasTest, DrawsTheRobotWhereItIs) {
-  for (const bool fine : {false, true}) {
-    const Image middle = Draw(0, fine);
+  for (const Canvas::Edges edges :
+       {Canvas::Edges::kHard, Canvas::Edges::kSmooth, Canvas::Edges::kFine}) {
+    const Image middle = Draw(0, edges);
     ASSERT_EQ(middle.width, 64);
     ASSERT_EQ(middle.height, 48);
     ASSERT_EQ(middle.rgb.size(), 3U * 64U * 48U);
     // Beside the arm, which the camera sees end on.
     EXPECT_GT(At(middle, 34, 24).r, 2 * At(middle, 34, 24).b);
     EXPECT_LT(At(middle, 60, 24).r, 2 * At(middle, 60, 24).b) << "the floor";
-    const Image right = Draw(4, fine);
+    const Image right = Draw(4, edges);
     EXPECT_GT(At(right, 47, 24).r, 2 * At(right, 47, 24).b);
     EXPECT_LT(At(right, 32, 24).r, 2 * At(right, 32, 24).b);
   }
@@ -62,7 +63,7 @@ TEST_F(CanvasTest, HasTheUpperRowFirst) {
   choice.azimuth = 90;
   choice.elevation = 0;
   CameraOperator camera(stage_, choice, {.width = 64, .height = 64});
-  Canvas canvas(&stage_, {.width = 64, .height = 64}, false);
+  Canvas canvas(&stage_, {.width = 64, .height = 64}, Canvas::Edges::kSmooth);
   stage_.Compose(camera.camera(), {}, nullptr);
   const Image image = canvas.Draw(&stage_);
   int green_above = 0;
@@ -80,7 +81,7 @@ TEST_F(CanvasTest, WritesClockAndEventsIntoItsCorners) {
   mjv_defaultCamera(&camera);
   camera.type = mjCAMERA_FIXED;
   camera.fixedcamid = stage_.Camera("above");
-  Canvas canvas(&stage_, {.width = 320, .height = 180}, false);
+  Canvas canvas(&stage_, {.width = 320, .height = 180}, Canvas::Edges::kSmooth);
   stage_.Compose(&camera, {}, nullptr);
   const Image plain = canvas.Draw(&stage_);
   const auto changed = [&](const Caption& caption, int from_y, int to_y) {

@@ -40,6 +40,22 @@ TEST_F(StageTest, PutsTheRobotWhereTheStateHasIt) {
   EXPECT_EQ(stage_.InBody(stage_.Body("ball"), {3, 0, 6})[2], 1);
 }
 
+TEST(StageOfSeveralTest, FollowsTheNamedRobotAndTreadsOnNoOther) {
+  const std::string bytes = BinaryModel(
+      "<mujoco><worldbody><geom type='plane' size='0 0 1'/>"
+      "<body name='left/base' pos='0 0 1'><freejoint/><geom size='.1'/></body>"
+      "<body name='right/base' pos='0 2 1'><freejoint/><geom size='.2'/></body>"
+      "</worldbody></mujoco>");
+  const auto stage_of = [&bytes](const std::string& robot) {
+    return std::make_unique<Stage>(mjcf::ReadBinaryModel(bytes, "the test's"), robot);
+  };
+  const auto right = stage_of("right");
+  EXPECT_NEAR(right->RobotBall().center[1], 2, 1e-6);
+  EXPECT_EQ(right->Body("base"), right->Body("right/base"));
+  EXPECT_FALSE(right->uneven());
+  EXPECT_NEAR(stage_of("left")->RobotBall().center[1], 0, 1e-6);
+}
+
 TEST_F(StageTest, LeavesWhereItWasWhatIsNotFinite) {
   stage_.Show(BallAt(3));
   stage_.Show(BallAt(std::numeric_limits<double>::quiet_NaN()));

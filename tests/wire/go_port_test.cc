@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "tests/bus/garbage_writer.h"
 #include "tests/support/new_domain.h"
 #include "tests/wire/client.h"
 #include "tests/wire/go_command.h"
@@ -93,7 +94,8 @@ std::vector<std::uint32_t> TicksOver(const robot::LinkEffects& fault, bool* wron
     std::vector<robot::LinkEffects> links(port.topics().size());
     if (tick == 2) links[0] = fault;  // rt/lowstate
     state.tick_ms = tick;
-    port.Publish(state, kLowStateStep, links);
+    port.BeginTick(kLowStateStep * kTimestep, {.publications = links});
+    port.Publish(state, kLowStateStep);
   }
   std::vector<std::uint32_t> ticks;
   while (const auto message = Next(&reader)) {
@@ -130,11 +132,12 @@ TEST(GoPortTest, SendsLaterWhatALinkDelaysAndNothingBeforeIt) {
   const auto publish = [&](std::int64_t step, double delay) {
     links[0].delay = delay;
     state.tick_ms = step;
-    port.Publish(state, step, links);
+    port.BeginTick(static_cast<double>(step) * kTimestep, {.publications = links});
+    port.Publish(state, step);
   };
   constexpr std::int64_t period = kLowStateStep * kMotionStep * kLfStep;  // next to it none is due
   publish(period, 2.5 * static_cast<double>(period) * kTimestep);
-  EXPECT_TRUE(port.Due(period + 1));
+  EXPECT_FALSE(port.Due(period + 1)) << "what is late needs no state";
   publish(2 * period, 0);  // waits for the one before
   publish(3 * period, 0);
   publish(4 * period, 0);
@@ -147,6 +150,75 @@ TEST(GoPortTest, SendsLaterWhatALinkDelaysAndNothingBeforeIt) {
     ticks.push_back(message->tick);
   }
   EXPECT_THAT(ticks, testing::ElementsAre(period, 2 * period, 3 * period, 4 * period));
+}
+
+TEST(GoPortTest, SendsNothingThatWasUnderWayWhenItWasCleared) {
+  const bus::Participant participant("lo", test::NewDomain());
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  bus::Reader<unitree_go_msg_dds__LowState_> reader(participant, kGoLowState);
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
+  std::vector<robot::LinkEffects> links(port.topics().size());
+  robot::RobotState state = StateOf(spec);
+  const auto publish = [&](std::int64_t step, const robot::LinkEffects& faults) {
+    links[0] = faults;
+    state.tick_ms = step;
+    port.BeginTick(static_cast<double>(step) * kTimestep, {.publications = links});
+    port.Publish(state, step);
+  };
+  publish(2, {.delay = 0.05});
+  publish(4, {.reorders = true});
+  port.Clear();
+  EXPECT_FALSE(port.Due(25));
+  publish(6, {.reorders = true});
+  port.Clear();
+  publish(100, {});
+  const auto message = Next(&reader);
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->tick, 100U);
+}
+
+// Its decoded content would be that of an earlier command.
+TEST(GoPortTest, TakesBytesOfAnotherTypeForThatAlsoOverALinkThatDamages) {
+  const int domain = test::NewDomain(), alias = test::NewDomain();
+  const bus::Participant participant("lo", domain);
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  const bus::Entity network = bus::JoinOverTheNetwork(domain, alias);
+  const bus::Stranger stranger(alias);
+  const bus::GarbageWriter garbage(stranger, kGoLowCmd.name, *kGoLowCmd.descriptor);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  robot::RobotCommand command = CommandOf(spec);
+  robot::Refusal form = robot::Refusal::kNone;
+  const std::vector<robot::LinkEffects> links(robot::kFirstHandTopic, {.damages = true});
+  port.BeginTick(0, {.commands = links});
+  EXPECT_TRUE(test::Eventually([&] {
+    garbage.Send();
+    return port.Take(robot::kLowCmdTopic, &command, &form);
+  }));
+  EXPECT_EQ(form, robot::Refusal::kUndecoded);
+}
+
+TEST(GoPortTest, DropsTheCommandsThatWaitWhenItIsCleared) {
+  const bus::Participant participant("lo", test::NewDomain());
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  bus::Writer<unitree_go_msg_dds__LowCmd_> client(participant, kGoLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  unitree_go_msg_dds__LowCmd_ message = InitialGoCommand();
+  message.crc = MessageCrc(message);
+  robot::RobotCommand command = CommandOf(spec);
+  robot::Refusal form = robot::Refusal::kNone;
+  const std::vector<robot::LinkEffects> links(robot::kFirstHandTopic, {.delay = 0.2});
+  port.BeginTick(0, {.commands = links});
+  ASSERT_TRUE(client.Write(message));
+  EXPECT_FALSE(port.Take(robot::kLowCmdTopic, &command, &form));  // is on its way
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(client.Write(message));
+  port.Clear();
+  port.BeginTick(1, {});
+  EXPECT_FALSE(port.Take(robot::kLowCmdTopic, &command, &form));
+  EXPECT_EQ(port.TakeLost(robot::kLowCmdTopic), 0U);
+  EXPECT_EQ(port.heard(robot::kLowCmdTopic), 0U);
 }
 
 TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
@@ -164,18 +236,18 @@ TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
   robot::RobotState state = StateOf(spec);
 
   state.tick_ms = 2;
-  port.Publish(state, kLowStateStep, {});
+  port.Publish(state, kLowStateStep);
   const auto first = Next(&lowstate);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->tick, 2);
   EXPECT_EQ(first->crc, MessageCrc(*first));
 
   state.tick_ms = 3;
-  port.Publish(state, kMotionStep, {});
+  port.Publish(state, kMotionStep);
   ASSERT_TRUE(Next(&motion));
 
   state.tick_ms = 4;
-  port.Publish(state, kLfStep, {});
+  port.Publish(state, kLfStep);
   const auto lf = Next(&lf_lowstate);
   ASSERT_TRUE(lf);
   EXPECT_EQ(lf->tick, 4);

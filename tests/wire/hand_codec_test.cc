@@ -1,6 +1,7 @@
 #include "wire/hand_codec.h"
 
 #include <array>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -137,6 +138,96 @@ TEST_F(HandStateTest, StaysWholeWhenMoved) {
   moved.Encode(std::array<robot::MotorReading, 3>{{{.q = 1}, {.q = 2}, {.q = 3}}});
   EXPECT_EQ(moved.message().motor_state._buffer[2].q, 3);
   EXPECT_EQ(moved.message().press_sensor_state._buffer[1].pressure[0], 30000);
+}
+
+// Two motors in slots 1 and 2 of three, of which q 1 is -0.5 rad and q 0 is 1.5 rad.
+robot::HandSpec Spanned(const std::string& law) {
+  robot::HandSpec spec{.name = "fingers", .law = law, .slot = 1, .slots = 3};
+  for (const char* joint : {"a", "b"}) {
+    spec.motors.push_back(
+        {.joint = joint, .torque_limit = 4, .knee_speed = 2, .span = {1.5, -0.5}});
+  }
+  return spec;
+}
+
+class MotorListTest : public testing::Test {
+ protected:
+  robot::Refusal Read(const robot::HandSpec& spec, std::size_t length = 3) {
+    unitree_go_msg_dds__MotorCmds_ message{};
+    message.cmds._length = static_cast<std::uint32_t>(length);
+    message.cmds._buffer = wire_.data();
+    return Decode(message, spec, &command_);
+  }
+  static unitree_go_msg_dds__MotorState_ Second(const robot::HandSpec& spec,
+                                                const robot::MotorReading& reading) {
+    MotorStatesMessage message(spec);
+    message.Encode(std::array{robot::MotorReading{}, reading});
+    return message.message().states._buffer[static_cast<std::size_t>(spec.slot) + 1];
+  }
+
+  std::array<unitree_go_msg_dds__MotorCmd_, 4> wire_{};
+  robot::RobotCommand command_;
+};
+
+TEST_F(MotorListTest, AGripperFollowsEveryFieldWhateverTheModeAndIsWatched) {
+  wire_[0] = {.mode = 0, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5, .reserve = {}};
+  EXPECT_EQ(Read({.law = "dex1", .motors = {{.joint = "jaw"}}}, 1), robot::Refusal::kNone);
+  EXPECT_EQ(command_.motors.at(0),
+            (robot::MotorCommand{
+                .enabled = true, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5, .watched = true}));
+}
+
+TEST_F(MotorListTest, AngleAndSpeedAreSharesOfTheSpanFromTheFirstSlotOn) {
+  wire_[1].q = 0.25;
+  wire_[1].dq = 0.5;
+  wire_[2].q = -1;
+  wire_[2].dq = 7;
+  EXPECT_EQ(Read(Spanned("brainco")), robot::Refusal::kNone);
+  EXPECT_EQ(command_.motors.at(0).q, 1);
+  EXPECT_EQ(command_.motors[0].dq, 1);
+  EXPECT_EQ(command_.motors.at(1).q, 1.5) << "as 0";
+  EXPECT_EQ(command_.motors[1].dq, 2) << "full speed";
+}
+
+TEST_F(MotorListTest, RefusesFewerMotorsThanTheServiceReadsAndIgnoresMore) {
+  EXPECT_EQ(Read(Spanned("inspire"), 2), robot::Refusal::kMotorCount);
+  EXPECT_EQ(Read(Spanned("inspire"), 4), robot::Refusal::kNone);
+  EXPECT_EQ(command_.motors.size(), 2U);
+}
+
+TEST_F(MotorListTest, StatesHaveWhatTheServiceFillsIn) {
+  const robot::MotorReading reading{
+      .enabled = true, .q = 1, .dq = -1, .tau = 2, .casing_c = 40, .lost = 3};
+  const auto jaw = Second({.law = "dex1", .motors = {{.joint = "a"}, {.joint = "b"}}}, reading);
+  EXPECT_EQ(jaw.q, 1);
+  EXPECT_EQ(jaw.dq, -1);
+  EXPECT_EQ(jaw.tau_est, 2);
+  EXPECT_EQ(jaw.mode, 0);
+  EXPECT_EQ(jaw.temperature, 0);
+  EXPECT_EQ(jaw.lost, 0U);
+  const auto inspire = Second(Spanned("inspire"), reading);
+  EXPECT_EQ(inspire.q, 0.25F);
+  EXPECT_EQ(inspire.dq, 0);
+  EXPECT_EQ(inspire.tau_est, 0);
+  EXPECT_EQ(inspire.lost, 3U);
+  const auto brainco = Second(Spanned("brainco"), reading);
+  EXPECT_EQ(brainco.q, 0.25F);
+  EXPECT_EQ(brainco.dq, 0.5F) << "towards q 1";
+  EXPECT_EQ(brainco.tau_est, -0.5F);
+  EXPECT_EQ(brainco.lost, 0U);
+}
+
+TEST_F(MotorListTest, SharesAreInThousandths) {
+  EXPECT_EQ(Second(Spanned("inspire"), {.q = 1.0009}).q, 0.25F);
+  EXPECT_EQ(Second(Spanned("inspire"), {.q = 1.0011}).q, 0.249F);
+}
+
+TEST_F(MotorListTest, SlotsOfAnAbsentHandAreZero) {
+  const robot::HandSpec spec = Spanned("inspire");
+  MotorStatesMessage message(spec);
+  message.Encode(std::array<robot::MotorReading, 2>{{{.q = 1}, {.q = 1}}});
+  ASSERT_EQ(message.message().states._length, 3U);
+  EXPECT_EQ(message.message().states._buffer[0].q, 0);
 }
 
 }  // namespace

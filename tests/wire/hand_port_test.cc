@@ -32,6 +32,7 @@ robot::RobotSpec Handy() {
   for (const char* side : {"left", "right"}) {
     spec.hands.push_back({.name = side,
                           .topic = std::string("dex/") + side,
+                          .hz = 1000.0 / kHandStep,
                           .motors = {{.joint = "thumb"}, {.joint = "index"}},
                           .pads = {{.taxels = {0}}}});
   }
@@ -123,17 +124,52 @@ TEST(HandPortTest, PublishesEachHandFastAndSlow) {
   robot::RobotState state = StateOf(robot.spec);
   state.motors[4].q = 1;  // behind the body's four and the left hand's two
   state.motors[6].q = 2;
-  robot.port.Publish(state, kHandStep, {});
+  robot.port.Publish(state, kHandStep);
   EXPECT_EQ(Heard(&left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&right), std::pair(2.0F, 1U));
   const auto ignore = [](const auto&, bus::WriterHandle) {};
   EXPECT_EQ(lf_left.Take(ignore), 0);
-  robot.port.Publish(state, kLfStep, {});
+  robot.port.Publish(state, kLfStep);
   EXPECT_EQ(Heard(&lf_left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&lf_right), std::pair(2.0F, 1U));
-  robot.port.Publish(state, kLowStateStep * kMotionStep, {});
+  robot.port.Publish(state, kLowStateStep * kMotionStep);
   EXPECT_EQ(left.Take(ignore), 0);
   EXPECT_EQ(robot.port.counts().write_failures, 0U);
+}
+
+TEST(HandPortTest, TalksInListsOfMotorsWhereTheLawSaysSo) {
+  robot::RobotSpec spec = HgRobot();
+  spec.hands = {{.name = "claw",
+                 .law = "dex1",
+                 .topic = "claw",
+                 .hz = 1000.0 / kHandStep,
+                 .motors = {{.joint = "a"}, {.joint = "b"}}}};
+  Played robot(spec);
+  bus::Writer<unitree_go_msg_dds__MotorCmds_> writer(
+      robot.participant, {"rt/claw/cmd", &unitree_go_msg_dds__MotorCmds__desc});
+  bus::Reader<unitree_go_msg_dds__MotorStates_> reader(
+      robot.participant, {"rt/claw/state", &unitree_go_msg_dds__MotorStates__desc});
+  bus::Reader<unitree_go_msg_dds__MotorStates_> slow(
+      robot.participant, {"rt/lf/claw/state", &unitree_go_msg_dds__MotorStates__desc});
+  ASSERT_TRUE(test::Eventually(
+      [&] { return writer.matched_readers() == 1 && reader.matched_writers() == 1; }));
+  EXPECT_EQ(slow.matched_writers(), 0);
+  std::array<unitree_go_msg_dds__MotorCmd_, 2> motors{};
+  motors[1].q = 2;
+  unitree_go_msg_dds__MotorCmds_ command{
+      .cmds = {._maximum = 2, ._length = 2, ._buffer = motors.data(), ._release = false}};
+  ASSERT_TRUE(writer.Write(command));
+  ASSERT_TRUE(test::Eventually([&] { return robot.Take(0); }));
+  EXPECT_EQ(robot.command.motors[1].q, 2);
+  robot::RobotState state = StateOf(robot.spec);
+  state.motors[5].q = 3;
+  robot.port.Publish(state, kHandStep);
+  float q = 0;
+  ASSERT_TRUE(test::Eventually([&] {
+    return reader.Take(
+               [&](const auto& heard, bus::WriterHandle) { q = heard.states._buffer[1].q; }) == 1;
+  }));
+  EXPECT_EQ(q, 3);
 }
 
 TEST(HandPortTest, HasNoTopicsWhereTheRobotHasNoHands) {
@@ -155,7 +191,7 @@ TEST(HandPortTest, AllocatesNothingInATick) {
   const std::uint64_t before = test::Allocations();
   left.Write(message.message);
   const bool taken = robot.Take(0);
-  robot.port.Publish(state, kHandStep * kLfStep, {});
+  robot.port.Publish(state, kHandStep * kLfStep);
   const std::uint64_t after = test::Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);

@@ -46,10 +46,10 @@ TEST(HgDecodeTest, TakesBothJointSpaces) {
   LowCmd message = Enabled();
   robot::RobotCommand command = CommandOf(HgRobot());
   ASSERT_EQ(DecodeSealed(message, &command), robot::Refusal::kNone);
-  EXPECT_EQ(command.joint_space, robot::JointSpace::kPitchRoll);
+  for (const auto& motor : command.motors) EXPECT_EQ(motor.space, robot::JointSpace::kPitchRoll);
   message.mode_pr = 1;
   ASSERT_EQ(DecodeSealed(message, &command), robot::Refusal::kNone);
-  EXPECT_EQ(command.joint_space, robot::JointSpace::kMotors);
+  for (const auto& motor : command.motors) EXPECT_EQ(motor.space, robot::JointSpace::kMotors);
 }
 
 TEST(HgDecodeTest, TakesADisabledMotor) {

@@ -20,7 +20,7 @@ TEST(HgPortTest, PublishesTheFastMessages) {
   robot::RobotState state = StateOf(spec);
   state.tick_ms = 9;
   state.secondary_imu.temperature_c = 61;
-  port.Publish(state, kLowStateStep * kMotionStep, {});
+  port.Publish(state, kLowStateStep * kMotionStep);
   const auto low = Next(&lowstate);
   ASSERT_TRUE(low);
   EXPECT_EQ(low->tick, 9);
@@ -42,7 +42,7 @@ TEST(HgPortTest, PublishesTheSlowMessages) {
   bus::Reader<unitree_hg_msg_dds__LowState_> fast(participant, kHgLowState);
   robot::RobotState state = StateOf(spec);
   state.battery.soc = 0.5;
-  port.Publish(state, kLfStep, {});
+  port.Publish(state, kLfStep);
   EXPECT_TRUE(Next(&lowstate));
   EXPECT_TRUE(Next(&secondary));
   EXPECT_TRUE(Next(&motion));
@@ -109,9 +109,9 @@ TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
       test::Eventually([&] { return fsm.matched_writers() == 1 && arms.matched_writers() == 1; }));
   robot::RobotState state = StateOf(spec);
   constexpr std::int64_t kArmStateStep = 100;  // 10 Hz
-  port.Publish(state, kMotionStep * kArmStateStep, {});
+  port.Publish(state, kMotionStep * kArmStateStep);
   state.motion = {.id = 4, .mode = 1, .arm_action = 27, .arm_told = 27};
-  port.Publish(state, kMotionStep * kArmStateStep, {});
+  port.Publish(state, kMotionStep * kArmStateStep);
   const auto heard = Next(&fsm);
   ASSERT_TRUE(heard);
   EXPECT_EQ(heard->fsm_id, 4U);

@@ -12,7 +12,7 @@ namespace understudy::wire {
 namespace {
 
 // The six vectors are the vendor's: computed by both its C++ and its Python SDK
-// (docs/sources.md#crc).
+// (docs/dev/sources.md#crc).
 
 TEST(MessageCrcTest, OfZerosIsTheVendors) {
   EXPECT_EQ(MessageCrc(unitree_go_msg_dds__LowCmd_{}), 0x4b5a4880);

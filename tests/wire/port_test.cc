@@ -82,7 +82,7 @@ TYPED_TEST(PortTest, CountsNoneAsLostWhileTimeStandsStill) {
   ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
   for (int i = 0; i < 20; ++i) {
     ASSERT_TRUE(client.Write(TypeParam::Command(static_cast<float>(i))));
-    port.Rest();
+    port.KeepNewest();
   }
   EXPECT_EQ(port.TakeLost(robot::kLowCmdTopic), 0U);
   ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
@@ -118,7 +118,7 @@ TYPED_TEST(PortTest, AllocatesNothingInATick) {
   const std::uint64_t before = test::Allocations();
   client.Write(message);
   const bool taken = port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_);
-  port.Publish(state, 0, {});
+  port.Publish(state, 0);
   const std::uint64_t after = test::Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);

@@ -16,7 +16,7 @@
 #include "tests/support/new_domain.h"
 #include "tests/wire/robots.h"
 #include "wire/port.h"
-#include "wire/states.h"
+#include "wire/robot_topics.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
@@ -30,13 +30,28 @@ struct Row {
 
 std::vector<Row> GoRows(const robot::RobotSpec& spec) {
   const int motion = robot::IsQuadruped(spec.kind) ? 300 : 500;
+  const bool lidar = spec.name == "go2";
+  const int livox = spec.name == "h1" ? 1 : 0;
   return {{"rt/lowstate", &unitree_go_msg_dds__LowState__desc, 500},
           {"rt/lf/lowstate", &unitree_go_msg_dds__LowState__desc, 20},
           {"rt/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, motion},
           {"rt/lf/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, 20},
           {"rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc, motion},
           // When it changes, here once.
-          {"rt/errorlist", &std_msgs_msg_dds__String__desc, spec.error_list ? 1 : 0}};
+          {"rt/errorlist", &std_msgs_msg_dds__String__desc, spec.error_list ? 1 : 0},
+          {"rt/utlidar/robot_odom", &nav_msgs_msg_dds__Odometry__desc, lidar ? 150 : 0},
+          {"rt/utlidar/robot_pose", &geometry_msgs_msg_dds__PoseStamped__desc,
+           lidar ? 19 : 0},  // 18.75, from 0 on
+          // When one is complete or due, here once.
+          {"rt/utlidar/cloud", &sensor_msgs_msg_dds__PointCloud2__desc, lidar ? 1 : 0},
+          {"rt/utlidar/cloud_base", &sensor_msgs_msg_dds__PointCloud2__desc, lidar ? 1 : 0},
+          {"rt/utlidar/cloud_deskewed", &sensor_msgs_msg_dds__PointCloud2__desc, lidar ? 1 : 0},
+          {"rt/utlidar/imu", &sensor_msgs_msg_dds__Imu__desc, lidar ? 1 : 0},
+          {"rt/utlidar/lidar_state", &unitree_go_msg_dds__LidarState__desc, lidar ? 1 : 0},
+          {"rt/utlidar/range_info", &geometry_msgs_msg_dds__PointStamped__desc, lidar ? 1 : 0},
+          {"rt/utlidar/height_map_array", &unitree_go_msg_dds__HeightMap__desc, lidar ? 1 : 0},
+          {"rt/utlidar/cloud_livox_mid360", &sensor_msgs_msg_dds__PointCloud2__desc, livox},
+          {"rt/utlidar/imu_livox_mid360", &sensor_msgs_msg_dds__Imu__desc, livox}};
 }
 
 std::vector<Row> HgRows(const robot::RobotSpec& spec) {
@@ -56,9 +71,12 @@ std::vector<Row> HgRows(const robot::RobotSpec& spec) {
   rows.push_back({"rt/lf/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc, fsm ? 20 : 0});
   const int acts = spec.arm_action_state ? 10 : 0;
   rows.push_back({"rt/arm/action/state", &std_msgs_msg_dds__String__desc, acts});
+  const int livox = spec.name.starts_with("g1") || spec.name == "h1_2" ? 1 : 0;
+  rows.push_back({"rt/utlidar/cloud_livox_mid360", &sensor_msgs_msg_dds__PointCloud2__desc, livox});
+  rows.push_back({"rt/utlidar/imu_livox_mid360", &sensor_msgs_msg_dds__Imu__desc, livox});
   for (const robot::HandSpec& hand : spec.hands) {
     const dds_topic_descriptor* type = &unitree_hg_msg_dds__HandState__desc;
-    rows.push_back({"rt/" + hand.topic + "/state", type, 500});
+    rows.push_back({"rt/" + hand.topic + "/state", type, static_cast<int>(hand.hz)});
     rows.push_back({"rt/lf/" + hand.topic + "/state", type, 20});
   }
   return rows;
@@ -87,7 +105,7 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobotAndThereAreNoOthers) {
   for (const std::string& name : config::RobotNames(root)) {
     SCOPED_TRACE(name);
     const config::Config config = config::LoadConfig({.robot = name}, root);
-    const robot::RobotSpec& spec = config.robot;
+    const robot::RobotSpec& spec = config.robots[0].spec;
     const bus::Participant participant("lo", test::NewDomain());
     bus::EndpointWatch watch(participant);
     Port port(participant, spec, config.physics.timestep);
@@ -95,19 +113,26 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobotAndThereAreNoOthers) {
         spec.family == robot::WireFamily::kGo ? GoRows(spec) : HgRows(spec);
     EXPECT_EQ(Told(&watch), Topics(rows));
     std::vector<std::string> without_a_bus;
-    for (const StateTopic& topic : StateTopics(spec)) without_a_bus.push_back(topic.name);
+    for (const StateMessage& message : StateMessages(spec)) {
+      for (const RobotTopic& topic : message.topics) without_a_bus.push_back(topic.name);
+    }
+    for (const LidarMessage& message : LidarMessages(spec)) {
+      without_a_bus.push_back(message.topic.name);
+    }
     EXPECT_EQ(port.topics(), without_a_bus);
     std::deque<bus::CdrReader> readers;
     for (const Row& row : rows) readers.emplace_back(participant, row.topic, *row.type);
 
     robot::RobotState state = StateOf(spec);
     state.remote.there = true;
-    state.motion.emplace();
+    state.motion.emplace().estimates = true;
+    state.leg_odometry.emplace();
     state.motors[0].overheated = true;
     const auto steps = std::llround(1 / config.physics.timestep);
     for (std::int64_t step = 0; step < steps; ++step) {
-      if (port.Due(step)) port.Publish(state, step, {});
+      if (port.Due(step)) port.Publish(state, step);
     }
+    for (const LidarMessage& message : LidarMessages(spec)) port.PublishLidar(message.content, {});
     std::vector<int> heard(rows.size());
     test::Eventually([&] {
       bool all = true;

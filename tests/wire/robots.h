@@ -11,7 +11,6 @@ inline constexpr std::int64_t kLowStateStep = 2, kMotionStep = 3, kHandStep = 5,
 inline constexpr double kTimestep = 0.001;
 inline const robot::RateSpec kRates{.lowstate_hz = 1000.0 / kLowStateStep,
                                     .motion_hz = 1000.0 / kMotionStep,
-                                    .hand_hz = 1000.0 / kHandStep,
                                     .lf_hz = 1000.0 / kLfStep};
 
 // Three motors, two feet, eight cells.

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <dds/dds.h>
@@ -15,6 +16,7 @@
 namespace understudy::wire {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -80,6 +82,28 @@ TEST(StrangerWatchTest, KnowsNobodyOnAnEmptyBusNorItself) {
   EXPECT_THAT(news.spoke, IsEmpty());
   EXPECT_THAT(watch.silent(), IsEmpty());
   EXPECT_THAT(watch.speaking(), IsEmpty());
+}
+
+// Types of rt/lowstate by which `participant` reads or writes, once discovery has seen a writer.
+std::set<std::string> TypesOfLowState(const bus::Participant& participant, StrangerWatch* watch) {
+  bus::EndpointSurvey survey(participant, bus::SurveyOf::kAll);
+  std::set<std::string> types;
+  test::Eventually([&] {
+    watch->Poll();
+    survey.Poll();
+    for (const bus::Endpoint& endpoint : survey.endpoints()) {
+      if (endpoint.topic == "rt/lowstate") types.insert(endpoint.who.type);
+    }
+    return !types.empty();
+  });
+  return types;
+}
+
+TEST(StrangerWatchTest, LeavesTheTopicOfARobotThatIsAloneOneType) {
+  const bus::Participant ours("lo", test::NewDomain());
+  bus::Writer<unitree_go_msg_dds__LowState_> writer(ours, kGoLowState);
+  StrangerWatch watch(ours);
+  EXPECT_THAT(TypesOfLowState(ours, &watch), ElementsAre("unitree_go::msg::dds_::LowState_"));
 }
 
 TEST(StrangerWatchTest, AStrangerAppearsOnceAndIsSilentUntilItSpeaks) {
@@ -215,6 +239,19 @@ TEST(StrangersTest, AreDescribedOneByOne) {
   EXPECT_EQ(Describe(std::vector{one}), "process 1 (a)");
   EXPECT_EQ(Describe(std::vector{one, two}), "process 1 (a) and process 2 (b)");
   EXPECT_EQ(Describe(std::vector{one, two, one}), "process 1 (a), process 2 (b) and process 1 (a)");
+}
+
+TEST(StrangerWatchTest, SeesOnlyRobotsOfItsPartition) {
+  const int domain = test::NewDomain();
+  const bus::Participant left("lo", domain, AnnounceRobot(1, "left"), "left"),
+      right("lo", domain, AnnounceRobot(2, "right"), "right"),
+      again("lo", domain, AnnounceRobot(3, "left"), "left");
+  const bus::Writer<unitree_go_msg_dds__LowState_> writer(left, kGoLowState);
+  StrangerWatch of_right(right), of_left(again);
+  AwaitStrangers(&of_left, 1);
+  EXPECT_EQ(of_left.KindOf(bus::Neighbour{.participant = left.key()}), StrangerWatch::Kind::kElder);
+  EXPECT_THAT(of_right.Poll().appeared, IsEmpty());
+  EXPECT_THAT(of_right.EldersStarting(), IsEmpty());
 }
 
 }  // namespace

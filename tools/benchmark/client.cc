@@ -44,7 +44,7 @@ std::vector<std::string> HelperArguments(const std::string& helper, const std::s
 }
 
 void RunHelper(const std::string& helper, const std::string& robot) {
-  const bool go = config::LoadConfig({.robot = robot}, config::DataDir()).robot.family ==
+  const bool go = config::LoadConfig({.robot = robot}, config::DataDir()).robots[0].spec.family ==
                   robot::WireFamily::kGo;
   const bus::Participant participant("lo", 0);
   if (helper == "listen") go ? Listen<GoFamily>(participant) : Listen<HgFamily>(participant);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "alone.h"
+#include "assembly/simulation.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 
@@ -20,11 +20,11 @@ struct Error {
   long steps = 0;
 };
 
-Error Watch(Alone* alone, double seconds, Error error = {}) {
+Error Watch(assembly::Simulation* alone, double seconds, Error error = {}) {
   const long steps = std::lround(seconds / alone->world().physics().timestep());
   for (long i = 0; i < steps; ++i) {
     alone->Step();
-    const robot::RobotState& said = alone->world().robot().sampled();
+    const robot::RobotState& said = alone->world().robot(0).sampled();
     error.velocity += (said.motion->v_WB_W - said.base.v_WB_W).squaredNorm();
     error.height += std::pow(said.motion->body_height - said.base.p_WB.z(), 2);
   }
@@ -37,16 +37,17 @@ Error Watch(Alone* alone, double seconds, Error error = {}) {
 std::vector<Figure> MeasureEstimate(const std::string& robot) {
   const config::Config config = config::LoadConfig(
       {.robot = robot, .files = {}, .sets = {"start.pose=standing"}}, config::DataDir());
-  if (!robot::IsQuadruped(config.robot.kind)) return {};
-  Alone alone(config);
+  if (!robot::IsQuadruped(config.robots[0].spec.kind)) return {};
+  assembly::Simulation alone(config);
   Watch(&alone, kSettleTime);
   const Error standing = Watch(&alone, kStand);
   Error pushed;
   const physics::World& physics = alone.world().physics();
-  const double impulse = kSpeed * physics.SubtreeMass(physics.FindBody(config.robot.base_body));
+  const double impulse =
+      kSpeed * physics.SubtreeMass(physics.FindBody(config.robots[0].spec.base_body));
   for (const auto& [x, y] :
        {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-    alone.Ask("push", {{"impulse", {impulse * x, impulse * y, 0}}, {"for", kPush}});
+    alone.Request("push", {{"impulse", {impulse * x, impulse * y, 0}}, {"for", kPush}});
     pushed = Watch(&alone, kPush + kRecover, pushed);
   }
   std::vector<Figure> figures;

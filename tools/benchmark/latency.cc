@@ -167,13 +167,15 @@ Figure Start(const std::string& understudy, const robot::RobotSpec& robot, int r
 
 std::vector<Figure> MeasureLatency(const std::string& understudy, const std::string& robot,
                                    int samples) {
-  const robot::RobotSpec spec = config::LoadConfig({.robot = robot}, config::DataDir()).robot;
+  const robot::RobotSpec spec =
+      config::LoadConfig({.robot = robot}, config::DataDir()).robots[0].spec;
   return spec.family == robot::WireFamily::kGo ? Latency<GoFamily>(understudy, spec, samples)
                                                : Latency<HgFamily>(understudy, spec, samples);
 }
 
 Figure MeasureStart(const std::string& understudy, const std::string& robot, int rounds) {
-  const robot::RobotSpec spec = config::LoadConfig({.robot = robot}, config::DataDir()).robot;
+  const robot::RobotSpec spec =
+      config::LoadConfig({.robot = robot}, config::DataDir()).robots[0].spec;
   return spec.family == robot::WireFamily::kGo ? Start<GoFamily>(understudy, spec, rounds)
                                                : Start<HgFamily>(understudy, spec, rounds);
 }

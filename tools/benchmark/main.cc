@@ -1,4 +1,4 @@
-// Measures the daemon from outside: see docs/performance.md.
+// Measures the daemon from outside: see docs/dev/performance.md.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -15,6 +15,7 @@
 #include "exec/private_network.h"
 #include "figure.h"
 #include "latency.h"
+#include "perception.h"
 #include "rehearsals.h"
 #include "stepping.h"
 #include "walking.h"
@@ -23,21 +24,21 @@ namespace understudy::bench {
 namespace {
 
 struct Effort {
-  int rounds = 40;      // of daemon against bare MuJoCo
-  double window = 0.2;  // s each
-  int samples = 1000;   // of latency
+  Rounds rounds;       // of daemon against bare MuJoCo
+  int samples = 1000;  // of latency
   int starts = 5;
   double memory_after = 5;  // s
   double walk = 8;          // simulated s
   int rehearsals = 1000;
+  int clouds = 200;
 };
-constexpr Effort kBrief = {.rounds = 3,
-                           .window = 0.1,
+constexpr Effort kBrief = {.rounds = {.count = 3, .window = 0.1, .settle = 1000},
                            .samples = 50,
                            .starts = 1,
                            .memory_after = 0.2,
                            .walk = 1,
-                           .rehearsals = 4};
+                           .rehearsals = 4,
+                           .clouds = 2};
 
 // Of the stepping; the other figures are of these robots in their own start.
 constexpr Doing kDoings[] = {
@@ -56,7 +57,9 @@ int Main(int argc, char** argv) {
       "rehearsals go.\n"
       "Prints what is wanted beside what was measured; a missed figure is no failure.",
       "bench");
-  bool json = false, brief = false, only_start = false, only_rehearsals = false;
+  bool json = false, brief = false;
+  bool only_start = false, only_rehearsals = false, only_further = false;
+  bool only_perception = false;
   std::string understudy =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "understudy";
   std::string helper, helper_robot;
@@ -64,6 +67,8 @@ int Main(int argc, char** argv) {
   app.add_flag("--brief", brief, "A few seconds of each, only to see that it works");
   app.add_flag("--start", only_start, "Only how long each robot takes to its first LowState");
   app.add_flag("--rehearsals", only_rehearsals, "Only how fast a campaign of rehearsals goes");
+  app.add_flag("--further", only_further, "Only what a further robot in one world takes");
+  app.add_flag("--perception", only_perception, "Only what a lidar's rays take");
   app.add_option("--understudy", understudy, "The program to measure [the one beside this]")
       ->check(CLI::ExistingFile);
   app.add_option("--helper", helper)->group("");  // this program as its own other end
@@ -75,32 +80,42 @@ int Main(int argc, char** argv) {
   }
   if (!helper.empty()) RunHelper(helper, helper_robot);
 
-  exec::EnterPrivateNetwork();
   const Effort effort = brief ? kBrief : Effort{};
   std::vector<Figure> figures;
+  const auto print = [&] {
+    std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);
+    return 0;
+  };
+  if (!only_start && !only_rehearsals && !only_further) {
+    figures = MeasurePerception(effort.clouds);
+  }
+  if (only_perception) return print();
+  exec::EnterPrivateNetwork();
   const auto add = [&figures](const std::vector<Figure>& more) {
     figures.insert(figures.end(), more.begin(), more.end());
   };
-  if (!only_start) add(MeasureRehearsals(understudy, "go2", effort.rehearsals));
+  if (!only_start && !only_further) add(MeasureRehearsals(understudy, "go2", effort.rehearsals));
   for (const Doing& one : kDoings) {
     if (only_start || only_rehearsals) break;
     for (const bool listener : {false, true}) {
-      add(MeasureStepping(understudy, one, listener, effort.rounds, effort.window));
+      if (only_further) break;
+      add(MeasureStepping(understudy, one, listener, effort.rounds));
     }
     if (one.ahead != 0) continue;
+    figures.push_back(MeasureFurtherRobot(understudy, one.robot, effort.rounds));
+    if (only_further) continue;
     add(MeasureLatency(understudy, one.robot, effort.samples));
     add(MeasureMemory(understudy, one.robot, effort.memory_after));
   }
   for (const std::string& robot : config::RobotNames(config::DataDir())) {
-    if (only_rehearsals) break;
+    if (only_rehearsals || only_further) break;
     if (!only_start) {
       add(MeasureEstimate(robot));
       add(MeasureWalking(robot, effort.walk));
     }
     figures.push_back(MeasureStart(understudy, robot, effort.starts));
   }
-  std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);
-  return 0;
+  return print();
 }
 
 }  // namespace

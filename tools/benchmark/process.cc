@@ -116,8 +116,9 @@ double Process::Megabytes(const std::string& key) const {
 }
 
 Daemon::Daemon(const std::string& understudy, const std::string& robot,
-               const std::vector<std::string>& options)
-    : socket_(client::ControlSocket(client::DefaultName("bench"))),
+               const std::vector<std::string>& options, const std::string& name)
+    : socket_(
+          client::ControlSocket(client::DefaultName("bench") + (name.empty() ? "" : "-" + name))),
       process_(RunArguments(understudy, robot, client::DefaultName("bench"), options)) {}
 
 void Daemon::AwaitReady() const {

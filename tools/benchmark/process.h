@@ -49,8 +49,9 @@ class Process {
 // `understudy run ROBOT`, alone on lo in domain 0 of the network of this process.
 class Daemon {
  public:
+  // Requests go to the robot, or to the one of that name if `options` name others beside it.
   Daemon(const std::string& understudy, const std::string& robot,
-         const std::vector<std::string>& options);
+         const std::vector<std::string>& options, const std::string& name = "");
 
   const Process& process() const { return process_; }
   // Waits until it says so. Throws std::runtime_error after 20 s.

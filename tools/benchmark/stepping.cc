@@ -8,7 +8,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "alone.h"
+#include "assembly/simulation.h"
 #include "client.h"
 #include "config/data_dir.h"
 #include "config/load.h"
@@ -18,8 +18,6 @@ namespace understudy::bench {
 namespace {
 
 using Wall = std::chrono::steady_clock;
-
-constexpr int kSettle = 60'000;  // steps until it stands, hangs or walks evenly
 
 struct Speed {
   double wall = 0;  // steps per s
@@ -39,7 +37,7 @@ class BareLoop {
  public:
   BareLoop(const config::Config& config, const Doing& doing)
       : run_(config), model_(run_.world().physics().model()), data_(mj_makeData(&model_)) {
-    if (doing.ahead != 0) run_.Ask("remote.sticks", {{"ly", doing.ahead}});
+    if (doing.ahead != 0) run_.Request("remote.sticks", {{"ly", doing.ahead}});
   }
 
   // Goes on to `from`, and takes down what happens until `to`, both in steps since the start.
@@ -86,17 +84,17 @@ class BareLoop {
   void Step(Bare what) {
     if (next_ % kSecond == 0) {
       const double* const state = states_.col(next_ / kSecond).data();
-      mju_copy(data_->qpos, state, model_.nq);
-      mju_copy(data_->qvel, state + model_.nq, model_.nv);
-      mju_copy(data_->qacc_warmstart, state + model_.nq + model_.nv, model_.nv);
+      std::copy_n(state, model_.nq, data_->qpos);
+      std::copy_n(state + model_.nq, model_.nv, data_->qvel);
+      std::copy_n(state + model_.nq + model_.nv, model_.nv, data_->qacc_warmstart);
     }
-    mju_copy(data_->qfrc_applied, forces_.col(next_).data(), model_.nv);
+    std::copy_n(forces_.col(next_).data(), model_.nv, data_->qfrc_applied);
     mj_step(&model_, data_.get());
     if (what == Bare::kWithImu) mj_rnePostConstraint(&model_, data_.get());
     next_ = (next_ + 1) % forces_.cols();
   }
 
-  Alone run_;
+  assembly::Simulation run_;
   std::int64_t step_ = 0;
   const mjModel& model_;
   mjcf::DataHandle data_;
@@ -125,10 +123,40 @@ Stretch Run(const Daemon& daemon, double window) {
   return {.from = from, .to = to, .speed = {.wall = count / wall, .cpu = count / cpu_used}};
 }
 
+// Lets it go on for so many steps, then stops it.
+void Settle(const Daemon& daemon, std::int64_t steps) {
+  const std::int64_t settled = daemon.Steps() + steps;
+  while (daemon.Steps() < settled) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  daemon.process().Stop();
+}
+
 }  // namespace
 
+Figure MeasureFurtherRobot(const std::string& understudy, const std::string& robot,
+                           const Rounds& rounds) {
+  const std::vector<std::string> options{"--speed", "max", "--start", "standing"};
+  std::vector<std::string> two = options;
+  two.insert(two.end(), {robot, "--domain", "5"});  // beside the one that has stopped
+  const Daemon alone(understudy, robot, options);
+  alone.AwaitReady();
+  Settle(alone, rounds.settle);
+  std::vector<double> of_one, of_two;  // s of CPU a step
+  for (int i = 0; i < rounds.count; ++i) of_one.push_back(1 / Run(alone, rounds.window).speed.cpu);
+  const Daemon both(understudy, robot, two, robot + "_1");
+  both.AwaitReady();
+  Settle(both, rounds.settle);
+  for (int i = 0; i < rounds.count; ++i) of_two.push_back(1 / Run(both, rounds.window).speed.cpu);
+  const double one = Median(of_one);
+  return {.robot = robot,
+          .name = "a further robot / a run of its own",
+          .unit = "",
+          .value = (Median(of_two) - one) / one,
+          .bound = 1.1,
+          .wanted = Wanted::kAtMost};
+}
+
 std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& doing,
-                                    bool listener, int rounds, double window) {
+                                    bool listener, const Rounds& rounds) {
   const std::string robot = doing.robot, start = doing.start;
   const config::Config config =
       config::LoadConfig({.robot = robot, .sets = {"start.pose=" + start}}, config::DataDir());
@@ -139,16 +167,14 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& 
   const Daemon daemon(understudy, robot, {"--speed", "max", "--start", start});
   daemon.AwaitReady();
   if (doing.ahead != 0) daemon.Ask("/remote/sticks", {{"ly", doing.ahead}});
-  const std::int64_t settled = daemon.Steps() + kSettle;
-  while (daemon.Steps() < settled) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  daemon.process().Stop();
+  Settle(daemon, rounds.settle);
 
   std::vector<double> bare_wall, daemon_wall, share_wall, share_cpu, share_step;
-  for (int round = 0; round < rounds; ++round) {
-    const auto [from, to, ours] = Run(daemon, window);
+  for (int round = 0; round < rounds.count; ++round) {
+    const auto [from, to, ours] = Run(daemon, rounds.window);
     bare.Follow(from, to);
-    const Speed theirs = bare.Run(Bare::kWithImu, window);
-    share_step.push_back(ours.wall / bare.Run(Bare::kStep, window).wall);
+    const Speed theirs = bare.Run(Bare::kWithImu, rounds.window);
+    share_step.push_back(ours.wall / bare.Run(Bare::kStep, rounds.window).wall);
     bare_wall.push_back(theirs.wall);
     daemon_wall.push_back(ours.wall);
     share_wall.push_back(ours.wall / theirs.wall);

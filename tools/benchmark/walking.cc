@@ -3,9 +3,10 @@
 #include <cmath>
 #include <memory>
 
-#include "alone.h"
+#include "assembly/simulation.h"
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "motion/quadruped/figures.h"
 #include "motion/quadruped/motion.h"
 #include "process.h"
 
@@ -22,19 +23,20 @@ double WantedCost(const std::string& robot) { return robot == "go2" ? 40 : 50; }
 std::vector<Figure> MeasureWalking(const std::string& robot, double seconds) {
   const config::Config config = config::LoadConfig(
       {.robot = robot, .files = {}, .sets = {"start.pose=standing"}}, config::DataDir());
-  if (!robot::IsQuadruped(config.robot.kind)) return {};
-  Alone alone(config);
-  const auto motion = motion::MakeQuadrupedMotion(config.robot, alone.world().physics().robot());
+  if (!robot::IsQuadruped(config.robots[0].spec.kind)) return {};
+  assembly::Simulation alone(config);
+  const auto motion = std::make_unique<motion::QuadrupedMotion>(
+      config.robots[0].spec, motion::ReadQuadruped(alone.world().physics().robot()));
   robot::RobotCommand command;
-  command.motors.resize(config.robot.motors.size());
-  const double dt = 1 / config.robot.rates.service_hz;
+  command.motors.resize(config.robots[0].spec.motors.size());
+  const double dt = 1 / config.robots[0].spec.rates.service_hz;
   const double timestep = alone.world().physics().timestep();
   const long between = std::lround(dt / timestep);
   const long settled = std::lround(kWarmUp / timestep);
   const long steps = settled + std::lround(seconds / timestep);
-  alone.Ask("remote.sticks", {{"ly", kAhead}, {"lx", -kAside}});
-  const authority::goal::Move move{.vx = kAhead * config.robot.remote.speed[0],
-                                   .vy = kAside * config.robot.remote.speed[1],
+  alone.Request("remote.sticks", {{"ly", kAhead}, {"lx", -kAside}});
+  const authority::goal::Move move{.vx = kAhead * config.robots[0].spec.remote.speed[0],
+                                   .vy = kAside * config.robots[0].spec.remote.speed[1],
                                    .yaw_rate = 0,
                                    .hold = 1,
                                    .by_sticks = true};
@@ -42,7 +44,7 @@ std::vector<Figure> MeasureWalking(const std::string& robot, double seconds) {
   for (long i = 0; i < steps; ++i) {
     alone.Step();
     if (i % between != 0) continue;
-    const robot::RobotState& said = alone.world().robot().sampled();
+    const robot::RobotState& said = alone.world().robot(0).sampled();
     const authority::MotionInput input{.time = alone.world().time(),
                                        .motors = said.motors,
                                        .imu = said.imu,

@@ -1,14 +1,18 @@
-// Walks quadrupeds over all sorts of ground, pushes them and counts who keeps on their feet: the
-// table of docs/walking.md.
+// Walks robots over all sorts of ground, pushes them and counts who keeps on their feet: the tables
+// of docs/dev/walking.md.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <map>
+#include <set>
+#include <span>
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -17,10 +21,42 @@
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/robot_file.h"
+#include "tests/motion/humanoid/trial.h"
 #include "tests/motion/quadruped/trial.h"
 
 namespace understudy::motion {
 namespace {
+
+robot::RobotSpec SpecOf(const std::string& robot) {
+  return config::LoadConfig({.robot = robot, .files = {}, .sets = {}}, config::DataDir())
+      .robots[0]
+      .spec;
+}
+
+// How robots of one build are tried.
+struct Course {
+  std::span<const TrialGround> grounds;
+  Outcome (*run)(const Trial& trial, const Watch& watch);
+  double (*push)(const robot::RobotSpec& spec, const std::string& ground);
+};
+
+Course CourseOf(const robot::RobotSpec& spec) {
+  if (spec.kind == robot::RobotKind::kHumanoid) {
+    return {HumanoidGrounds(), TryHumanoid, [](const robot::RobotSpec&, const std::string& ground) {
+              return HumanoidPush(ground);
+            }};
+  }
+  return {TrialGrounds(), Try, [](const robot::RobotSpec& quadruped, const std::string& ground) {
+            return ground == "stairs" ? 0 : PushOf(quadruped);
+          }};
+}
+
+// The first seed that follows from the version counted: FNV-1a of 30 bits.
+int SeedOf(const std::string& version) {
+  std::uint32_t hash = 2166136261;
+  for (const char c : version) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619;
+  return static_cast<int>((hash >> 30 ^ hash) & 0x3fffffff);
+}
 
 // Runs that were made, a line of a file each, so that a table broken off goes on where it was.
 class Made {
@@ -39,10 +75,10 @@ class Made {
     }
   }
 
-  Outcome Of(const Trial& trial) {
+  Outcome Of(const Trial& trial, const Course& course) {
     const auto found = made_.find(KeyOf(trial));
     if (found != made_.end()) return found->second;
-    const Outcome outcome = made_[KeyOf(trial)] = Try(trial);
+    const Outcome outcome = made_[KeyOf(trial)] = course.run(trial, {});
     if (!file_.empty()) {
       std::ofstream(file_, std::ios::app)
           << trial.robot << ' ' << trial.ground << ' ' << trial.push << ' ' << trial.seed << ' '
@@ -75,11 +111,11 @@ Interval Wilson(int k, int n) {
   return {middle - half, middle + half};
 }
 
-void PrintRow(const Trial& trial, int first, int runs, Made* made) {
+void PrintRow(const Trial& trial, const Course& course, int first, int runs, Made* made) {
   int kept = 0, there = 0, righted = 0;
   std::string failed;
   for (int seed = first; seed < first + runs; ++seed) {
-    const Outcome outcome = made->Of({trial.robot, trial.ground, trial.push, seed});
+    const Outcome outcome = made->Of({trial.robot, trial.ground, trial.push, seed}, course);
     kept += outcome.fell < 0;
     there += outcome.fell < 0 && outcome.got_there;
     righted += outcome.fell >= 0 && outcome.righted;
@@ -104,32 +140,38 @@ void PrintState(const MotionRig& rig, double t, const Eigen::Vector3d& wish) {
 }
 
 int Main(int argc, char** argv) {
-  std::string about =
-      "Counts how many of some seeded runs a quadruped keeps on its feet. Grounds:\n";
+  std::string about = "Counts how many of some seeded runs a robot keeps on its feet. Grounds:\n";
   std::vector<std::string> robots, grounds;
-  for (const TrialGround& ground : TrialGrounds()) {
-    about += "  " + ground.name + std::string(8 - ground.name.size(), ' ') + ground.about + "\n";
-    grounds.push_back(ground.name);
-  }
-  for (const std::string& name : config::RobotNames(config::DataDir())) {
-    const auto spec =
-        config::LoadConfig({.robot = name, .files = {}, .sets = {}}, config::DataDir());
-    if (robot::IsQuadruped(spec.robot.kind)) robots.push_back(name);
+  std::set<std::string> known;
+  for (const auto& [legs, course] :
+       {std::pair("four", TrialGrounds()), std::pair("two", HumanoidGrounds())}) {
+    about += std::string(" of ") + legs + " legs:\n";
+    for (const TrialGround& ground : course) {
+      known.insert(ground.name);
+      about += "  " + ground.name + std::string(8 - ground.name.size(), ' ') + ground.about + "\n";
+    }
   }
   CLI::App app(about + "The last number of a row: the seeds that fell or did not get there.",
                "survival");
   double push = -1;
   int runs = 40, first = 1, trace = 0;
-  std::string file;
+  std::string file, version;
   app.add_option("--robots", robots, "Robots [all quadrupeds]")->delimiter(',');
   app.add_option("--grounds", grounds, "Grounds [all]")
       ->delimiter(',')
-      ->check(CLI::IsMember(grounds));
-  app.add_option("--push", push, "N·s/kg [1; B2 and A2 0.9, on wheels 0.6; stairs 0]");
+      ->check(CLI::IsMember(known));
+  app.add_option("--push", push,
+                 "N·s/kg [1; B2 and A2 0.9, on wheels 0.6; stairs 0; humanoids 0.3, aside two "
+                 "thirds of it, on flat ground, else 0]");
   app.add_option("--runs", runs, "Runs of a row")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  app.add_option("--first", first, "Seed of the first run")->capture_default_str();
+  auto* const from =
+      app.add_option("--first", first, "Seed of the first run")->capture_default_str();
+  app.add_option("--version", version,
+                 "The version counted: the first seed is its hash, and nobody's choice. For "
+                 "humanoids `git rev-parse HEAD:src/motion/humanoid`")
+      ->excludes(from);
   app.add_option("--file", file, "Keeps every run there, and goes on from what it has");
   app.add_option("--trace", trace,
                  "Shows the run of that seed, every 20 ms, in place of the table");
@@ -138,23 +180,31 @@ int Main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (!version.empty()) first = SeedOf(version);
+  if (robots.empty()) {
+    for (const std::string& name : config::RobotNames(config::DataDir())) {
+      if (robot::IsQuadruped(SpecOf(name).kind)) robots.push_back(name);
+    }
+  }
   spdlog::set_level(trace == 0 ? spdlog::level::warn : spdlog::level::info);
   Made made(file);
   if (trace == 0) {
-    std::puts(
-        "| robot | ground | N·s/kg | kept on its feet | 95 % | stuck | righted "
-        "|\n|---|---|---|---|---|---|---|");
+    std::printf(
+        "seeds from %d\n| robot | ground | N·s/kg | kept on its feet | 95 %% | stuck | righted "
+        "|\n|---|---|---|---|---|---|---|\n",
+        first);
   }
   for (const std::string& robot : robots) {
-    const auto config =
-        config::LoadConfig({.robot = robot, .files = {}, .sets = {}}, config::DataDir());
-    for (const std::string& ground : grounds) {
-      const double usual = ground == "stairs" ? 0 : PushOf(config.robot);
-      const Trial trial{robot, ground, push < 0 ? usual : push, trace};
+    const robot::RobotSpec spec = SpecOf(robot);
+    const Course course = CourseOf(spec);
+    for (const TrialGround& ground : course.grounds) {
+      if (!grounds.empty() && std::ranges::count(grounds, ground.name) == 0) continue;
+      const Trial trial{robot, ground.name, push < 0 ? course.push(spec, ground.name) : push,
+                        trace};
       if (trace == 0) {
-        PrintRow(trial, first, runs, &made);
+        PrintRow(trial, course, first, runs, &made);
       } else {
-        const Outcome outcome = Try(trial, PrintState);
+        const Outcome outcome = course.run(trial, PrintState);
         std::printf("fell %.2f, righted %d, got there %d\n", outcome.fell, outcome.righted,
                     outcome.got_there);
       }

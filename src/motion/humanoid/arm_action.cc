@@ -34,7 +34,7 @@ ArmActionPlayer::ArmActionPlayer(const robot::RobotSpec& spec, const BodyModel& 
 }
 
 authority::MotionVerdict ArmActionPlayer::Begin(int id) {
-  const ArmAction* action = FindArmAction(id);
+  const ArmSequence* action = FindArmSequence(id);
   if (id != kReleaseArms && action == nullptr) {
     return IsUnplayedArmAction(id) ? authority::MotionVerdict::kUnable
                                    : authority::MotionVerdict::kUnknown;

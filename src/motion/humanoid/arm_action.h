@@ -51,7 +51,7 @@ class ArmActionPlayer {
   std::vector<Place> places_;
   std::vector<double> from_, to_;
   JointMove move_{0};
-  const ArmAction* action_ = nullptr;
+  const ArmSequence* action_ = nullptr;
   std::size_t next_key_ = 0;
   bool holding_ = false;
   bool releasing_ = false;

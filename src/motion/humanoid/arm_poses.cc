@@ -6,8 +6,8 @@ namespace understudy::motion {
 namespace {
 
 // All angles and times are assumed: our version of the gestures that the vendor names
-// (docs/sources.md#arm-actions). Known of hardware: a wave takes 4.19 s. Which ones hold is read
-// from the vendor's example, which releases after those.
+// (docs/dev/sources.md#arm-actions). Known of hardware: a wave takes 4.19 s. Which ones hold is
+// read from the vendor's example, which releases after those.
 
 // Left arms:                      pitch  roll  yaw    elbow wrist
 constexpr ArmPose kSideways = {0, 1.4, 0, 1.5, 0, 0, 0};
@@ -61,22 +61,22 @@ constexpr ArmKey kHighWave[] = {{1.2, nullptr, &kHighWaveOut}, {0.4, nullptr, &k
 constexpr ArmKey kHandshakeKeys[] = {{1.2, nullptr, &kHandshake}};
 constexpr ArmKey kHandOnHeart[] = {{1.4, nullptr, &kOnHeart}};
 
-constexpr ArmAction kActions[] = {{11, kTwoHandKiss},
-                                  {12, kLeftKiss},
-                                  {13, kRightKiss},
-                                  {15, kArmsSideways, true},
-                                  {17, kClap},
-                                  {18, kHighFiveKeys, true},
-                                  {19, kHugKeys, true},
-                                  {20, kHeart, true},
-                                  {21, kRightHeart, true},
-                                  {22, kCross, true},
-                                  {23, kRightForwards, true},
-                                  {24, kBeam, true},
-                                  {25, kChestWave},
-                                  {26, kHighWave},
-                                  {27, kHandshakeKeys, true},
-                                  {33, kHandOnHeart, true}};
+constexpr ArmSequence kActions[] = {{11, kTwoHandKiss},
+                                    {12, kLeftKiss},
+                                    {13, kRightKiss},
+                                    {15, kArmsSideways, true},
+                                    {17, kClap},
+                                    {18, kHighFiveKeys, true},
+                                    {19, kHugKeys, true},
+                                    {20, kHeart, true},
+                                    {21, kRightHeart, true},
+                                    {22, kCross, true},
+                                    {23, kRightForwards, true},
+                                    {24, kBeam, true},
+                                    {25, kChestWave},
+                                    {26, kHighWave},
+                                    {27, kHandshakeKeys, true},
+                                    {33, kHandOnHeart, true}};
 
 // turn_back_wave, box wins, one without a name, push.
 constexpr int kUnplayed[] = {1, 28, 29, 30, 34, 36};
@@ -88,7 +88,7 @@ double Mirrored(const ArmPose& pose, std::size_t joint) {
   return kSign[joint] * pose[joint];
 }
 
-const ArmAction* FindArmAction(int id) {
+const ArmSequence* FindArmSequence(int id) {
   const auto* found = std::find_if(std::begin(kActions), std::end(kActions),
                                    [id](const auto& a) { return a.id == id; });
   return found == std::end(kActions) ? nullptr : found;

@@ -30,7 +30,7 @@ struct ArmKey {
   const ArmPose* right = nullptr;
 };
 
-struct ArmAction {
+struct ArmSequence {
   int id = 0;
   std::span<const ArmKey> keys;
   bool holds = false;  // holds the last pose until released
@@ -39,7 +39,7 @@ struct ArmAction {
 inline constexpr int kReleaseArms = 99;
 
 // Returns null if no trajectory is known for that id.
-const ArmAction* FindArmAction(int id);
+const ArmSequence* FindArmSequence(int id);
 
 // Returns whether the vendor's robots have an action that is not simulated: a turn of the body, and
 // undocumented gestures.

@@ -14,7 +14,7 @@ constexpr double kCentreTime = 1;    // s, in which the centre of mass goes to t
 constexpr double kLowStand = 0.35;   // of the way down to the squat: the lowest stand height
 constexpr double kHeightTime = 1.5;  // s, for a change of stand height
 
-// "6 to 7 s" of a G1 (docs/sources.md#g1-states).
+// "6 to 7 s" of a G1 (docs/dev/sources.md#g1-states).
 constexpr double kSquatTime = 6.5;  // s
 
 }  // namespace
@@ -31,14 +31,14 @@ BalancedStand::BalancedStand(const robot::RobotSpec& spec, const JointGains& gai
   half_down_ = StandOf(middle, body);
 }
 
-void BalancedStand::Begin(const HumanoidReading& sensed) {
+void BalancedStand::Begin(const HumanoidReading& sensed, bool walked) {
   constexpr std::array kUp = {0.0};
   constexpr std::array kMiddle = {0.0, 0.0};
   depth_.Begin(kUp, kUp, 0);
   const Eigen::Vector2d offset = ComOffset(sensed.body);
   com_offset_.Begin(std::array{offset.x(), offset.y()}, kMiddle, kCentreTime);
   squats_ = false;
-  elapsed_ = 0;
+  elapsed_ = walked ? kBlendTime : 0;
 }
 
 void BalancedStand::Squat(bool down) {

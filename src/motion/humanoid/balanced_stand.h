@@ -20,8 +20,9 @@ class BalancedStand final : public HumanoidBehaviour {
   BalancedStand(const robot::RobotSpec& spec, const JointGains& gains, BodyModel* body,
                 Bearing* bearing);
 
-  // Starts from locked joints and moves the centre of mass to the middle of the soles.
-  void Begin(const HumanoidReading& sensed);
+  // Starts from locked joints, or out of a walk, and moves the centre of mass to the middle of the
+  // soles.
+  void Begin(const HumanoidReading& sensed, bool walked = false);
   // Squats or rises again. The arms go to rest.
   void Squat(bool down);
   // Goes to a height from 0, the lowest, to 1, the highest at which it stands with arm actions.

@@ -2,9 +2,9 @@
 
 namespace understudy::motion {
 
-void Bearing::Rest(const HumanoidReading& sensed) {
+void Bearing::CarryWeight(const HumanoidReading& sensed) {
   if (sensed.since_worked_out == 0) return;
-  balance_.Rest(sensed.body, sensed.load);
+  balance_.CarryWeight(sensed.body, sensed.load);
   Press(sensed.body);
 }
 

@@ -16,7 +16,7 @@ class Bearing {
   explicit Bearing(std::size_t motors) : tau_(motors) {}
 
   // Call one of them in each step: for a robot at rest, or to balance.
-  void Rest(const HumanoidReading& sensed);
+  void CarryWeight(const HumanoidReading& sensed);
   void Balance(const HumanoidReading& sensed, const StandGoal& goal);
 
   double tau(std::size_t motor) const { return tau_[motor]; }  // N·m

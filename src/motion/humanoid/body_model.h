@@ -47,6 +47,15 @@ class BodyModel {
   const Eigen::Vector3d& base_rate() const { return w_WB_W_; }    // rad/s
   std::span<const Sole> soles() const { return soles_; }          // in RobotSpec::feet order
 
+  // The body that a sole is part of, and the sole in its frame.
+  struct Foot {
+    int body = 0;
+    Eigen::Vector3d centre{0, 0, 0};                // m
+    Eigen::Vector3d forward{1, 0, 0}, up{0, 0, 1};  // of length 1
+    Eigen::Vector3d p_BS{0, 0, 0};                  // m, its centre, base axes
+  };
+  std::span<const Foot> feet() const { return feet_; }  // in RobotSpec::feet order
+
   // Returns whether the motor is between base and sole.
   bool IsOfLeg(std::size_t motor) const { return joints_[motor].foot >= 0; }
   // Returns the mass [kg] that hangs from the motor's joint when the base is held.
@@ -77,13 +86,6 @@ class BodyModel {
     double felt_inertia = 0;
     Eigen::Vector3d axis{0, 0, 0}, anchor{0, 0, 0};  // in base axes, from the base
   };
-  struct Foot {
-    int body = 0;
-    Eigen::Vector3d centre{0, 0, 0};                // of the sole, in the body's frame
-    Eigen::Vector3d forward{1, 0, 0}, up{0, 0, 1};  // likewise
-    Eigen::Vector3d p_BS{0, 0, 0};
-  };
-
   void ReadPlaces();
   void FindSole(const robot::RobotSpec& spec, std::size_t foot);
   void FindInertia();

@@ -22,19 +22,20 @@ std::span<const HumanoidTransition> HumanoidTransitions() {
   using enum HumanoidStance;
   using enum HumanoidWhen;
   using enum authority::MotionVerdict;
-  static constexpr StateSet<HumanoidStance> kAny{kZeroTorque, kDamping,  kLockStand,     kSquat,
-                                                 kSit,        kBalanced, kBalancedSquat, kUnplayed};
+  static constexpr StateSet<HumanoidStance> kAny{kZeroTorque,    kDamping, kLockStand,
+                                                 kSquat,         kSit,     kBalanced,
+                                                 kBalancedSquat, kWalking, kUnplayed};
 
   static constexpr HumanoidTransition kRows[] = {
       {kZeroTorque, kAny, kAlways, kTaken, kZeroTorque},
       {kDamping, kAny, kAlways, kTaken, kDamping},
 
       {kLockStand, {kLockStand}, kSame, kTaken},
-      {kLockStand, {kDamping, kSquat, kSit}, kStill, kTaken, kLockStand},
+      {kLockStand, {kDamping, kSquat, kSit, kWalking}, kStill, kTaken, kLockStand},
       {kSquat, {kSquat}, kSame, kTaken},
-      {kSquat, {kDamping, kLockStand, kSit, kBalanced}, kStill, kTaken, kSquat},
+      {kSquat, {kDamping, kLockStand, kSit, kBalanced, kWalking}, kStill, kTaken, kSquat},
       {kSit, {kSit}, kSame, kTaken},
-      {kSit, {kDamping, kLockStand, kSquat, kBalanced}, kStill, kTaken, kSit},
+      {kSit, {kDamping, kLockStand, kSquat, kBalanced, kWalking}, kStill, kTaken, kSit},
 
       {kBalanced, {kBalanced}, kSame, kTaken},
       {kBalanced, {kLockStand, kBalanced}, kStill, kTaken, kBalanced},
@@ -42,7 +43,14 @@ std::span<const HumanoidTransition> HumanoidTransitions() {
       // The robot would have to rise from its squat on the ground, which is not simulated.
       {kBalancedSquat, {kDamping}, kStill, kUnable},
 
-      {kUnplayed, {kDamping, kLockStand, kSquat, kSit, kBalanced, kBalancedSquat}, kStill, kUnable},
+      // From walking a robot comes to the other states by locked joints (*assumed*).
+      {kWalking, {kWalking}, kAlways, kTaken, kWalking},
+      {kWalking, {kLockStand, kBalanced}, kStill, kTaken, kWalking},
+
+      {kUnplayed,
+       {kDamping, kLockStand, kSquat, kSit, kBalanced, kBalancedSquat, kWalking},
+       kStill,
+       kUnable},
   };
   return kRows;
 }
@@ -51,9 +59,9 @@ std::span<const HumanoidTransition> HumanoidTransitions() {
 
 std::string_view Name(HumanoidStance stance) {
   // In the order of the enum.
-  static constexpr std::array<std::string_view, 9> kNames{
-      "zero torque",  "damping",        "ready",        "squat",  "seat",
-      "main control", "balanced squat", "not modelled", "unknown"};
+  static constexpr std::array<std::string_view, 10> kNames{
+      "zero torque",  "damping",        "ready",   "squat",        "seat",
+      "main control", "balanced squat", "walking", "not modelled", "unknown"};
   return kNames[static_cast<std::size_t>(stance)];
 }
 
@@ -65,6 +73,7 @@ HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id) {
   if (id == spec.squat) return HumanoidStance::kSquat;
   if (id == spec.sit) return HumanoidStance::kSit;
   if (id == spec.balanced_squat) return HumanoidStance::kBalancedSquat;
+  if (Has(spec.walk, id)) return HumanoidStance::kWalking;
   if (Has(spec.balance, id) || id == spec.arms_balance) return HumanoidStance::kBalanced;
   return Has(spec.unplayed, id) ? HumanoidStance::kUnplayed : HumanoidStance::kNone;
 }

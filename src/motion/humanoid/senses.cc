@@ -13,6 +13,7 @@ constexpr double kPeriod = 0.004;  // s: the body needs 1/20 of that per step of
 // Assumed, tried on every robot here.
 constexpr double kLoadTime = 0.03;  // s, over which foot loads are smoothed
 constexpr double kFullLoad = 0.9;   // share of the weight from which a robot stands by itself
+constexpr double kContact = 0.05;   // share of the weight from which a foot bears load
 
 }  // namespace
 
@@ -20,7 +21,7 @@ HumanoidSenses::HumanoidSenses(const mjModel& model, const robot::RobotSpec& spe
     : body_(model, spec),
       q_(spec.motors.size()),
       dq_(spec.motors.size()),
-      reading_{.q = q_, .body = body_} {
+      reading_{.q = q_, .dq = dq_, .body = body_} {
   if (body_.soles().size() != 2) throw ModelError(spec.name + ": expected two feet (feet)");
 }
 
@@ -47,6 +48,10 @@ void HumanoidSenses::Take(const authority::MotionInput& input) {
   for (std::size_t i = 0; i < q_.size(); ++i) {
     q_[i] = input.motors[i].q;
     dq_[i] = input.motors[i].dq;
+  }
+  reading_.imu = input.imu;
+  for (std::size_t foot = 0; foot < reading_.contacts.size(); ++foot) {
+    reading_.contacts[foot] = input.foot_force[foot] > kContact * body_.mass() * body_.gravity();
   }
 }
 

@@ -103,7 +103,7 @@ void StandBalance::Step(const BodyModel& body, const StandGoal& goal, double loa
   Share(body, Eigen::Vector2d(-about_O.y(), about_O.x()) / least, force, moment.z());
 }
 
-void StandBalance::Rest(const BodyModel& body, double load) {
+void StandBalance::CarryWeight(const BodyModel& body, double load) {
   fresh_ = true;
   Share(body, body.com().head<2>(), {0, 0, load * body.mass() * body.gravity()}, 0);
 }

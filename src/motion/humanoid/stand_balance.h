@@ -40,7 +40,7 @@ class StandBalance {
 
   // Computes reactions to the weight only, under the centre of mass or the nearest point of the
   // soles: the feed-forward of locked joints.
-  void Rest(const BodyModel& body, double load);
+  void CarryWeight(const BodyModel& body, double load);
 
   // Returns the reactions of the last step; zeros before.
   std::span<const GroundReaction> reactions() const { return reactions_; }
@@ -50,7 +50,7 @@ class StandBalance {
 
   std::array<GroundReaction, 2> reactions_{};
   Eigen::Vector2d velocity_{0, 0};  // of the centre of mass, m/s, smoothed
-  Eigen::Vector3d rate_{0, 0, 0};   // of the base, rad/s, likewise
+  Eigen::Vector3d rate_{0, 0, 0};   // of the base, rad/s, smoothed
   bool fresh_ = true;
 };
 

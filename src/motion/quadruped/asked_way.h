@@ -19,7 +19,7 @@ class AskedWay {
   // Nothing is asked for any more.
   void End();
 
-  // Whether a Move that comes by a program lasts until it is told otherwise.
+  // Whether a program's Move lasts until the next one or StopMove.
   void Last(bool on) { lasting_ = on; }
 
   // One step of dt [s]: forward, left m/s, turn rad/s.

@@ -1,6 +1,7 @@
 #include "motion/quadruped/estimator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace understudy::motion {
@@ -18,6 +19,12 @@ constexpr double kSwing = 1e4;         // variances of a foot in the air are as 
 constexpr double kUnloaded = 0.03;     // of the robot's weight: less, and the foot is in the air
 constexpr double kLoaded = 0.1;        // more, and it stands
 constexpr double kFade = 2;            // s, in which a velocity fades that no foot confirms
+// Of a robot that rests on its body. The bounds are far above the errors of any sensor profile.
+constexpr double kSmooth = 0.1;      // s, time constant of the low pass
+constexpr double kStillTurn = 0.1;   // rad/s
+constexpr double kStillForce = 3;    // m/s² that the specific force may differ from gravity
+constexpr double kRestTime = 0.3;    // s that it has to be so
+constexpr double kRestRate = 0.005;  // m/s, of the velocity of a robot that rests
 
 double Squared(double x) { return x * x; }
 
@@ -29,6 +36,9 @@ void QuadrupedEstimator::Begin(const QuadrupedReading& reading) {
     const auto row = static_cast<Eigen::Index>(leg + 1);
     x_.row(row) = (reading.R_WB * (reading.feet[leg] - body_.p_BI())).transpose();
   }
+  turn_ = reading.w_WB_B;
+  force_ = reading.f_WI_B;
+  rested_ = 0;
   P_.setZero();
   P_.diagonal() << Squared(kStartRate), Vector5::Constant(Squared(kPlace)).head<4>();
   trust_.fill(1);
@@ -37,7 +47,7 @@ void QuadrupedEstimator::Begin(const QuadrupedReading& reading) {
 }
 
 void QuadrupedEstimator::Step(const QuadrupedReading& reading, double dt,
-                              const std::array<double, 4>& stands) {
+                              const std::array<double, 4>& stands, bool may_rest) {
   const double weight = body_.mass() * body_.gravity();
   for (std::size_t leg = 0; leg < 4; ++leg) {
     const double share = reading.foot_force[leg] / weight;
@@ -53,7 +63,18 @@ void QuadrupedEstimator::Step(const QuadrupedReading& reading, double dt,
         u_[leg] - reading.R_WB * (reading.w_WB_B.cross(arm) + reading.feet_speed[leg]);
     Correct(0, v_WI.transpose(), Squared(kRate) * (1 + (1 - trust_[leg]) * kSwing));
   }
+  if (Rests(reading, dt) && may_rest) Correct(0, Eigen::RowVector3d::Zero(), Squared(kRestRate));
   Tell(reading, dt);
+}
+
+bool QuadrupedEstimator::Rests(const QuadrupedReading& reading, double dt) {
+  const double share = std::min(1.0, dt / kSmooth);
+  turn_ += share * (reading.w_WB_B - turn_);
+  force_ += share * (reading.f_WI_B - force_);
+  const bool still =
+      turn_.norm() < kStillTurn && std::abs(force_.norm() - body_.gravity()) < kStillForce;
+  rested_ = still ? rested_ + dt : 0;
+  return rested_ >= kRestTime;
 }
 
 void QuadrupedEstimator::Predict(const QuadrupedReading& reading, double dt) {

@@ -28,7 +28,7 @@ Eigen::Vector3d InAncestor(const mjModel& model, int body, int ancestor, Eigen::
   return point;
 }
 
-// Likewise a rotation.
+// Returns a rotation in the ancestor's frame.
 Eigen::Quaterniond TurnInAncestor(const mjModel& model, int body, int ancestor,
                                   Eigen::Quaterniond turn) {
   for (; body != ancestor; body = model.body_parentid[body]) {

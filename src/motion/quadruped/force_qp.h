@@ -25,7 +25,7 @@ struct ForceTask {
 // The forces [N] of the feet within their friction cones, cut to octagons, that do the task best,
 // in weighted least squares: orientation before height before the rest, small forces and small
 // changes before large ones. Weights: BalanceCtrl.cpp of unitree_guide
-// (docs/sources.md#algorithms-and-training-environments), made independent of the robot's size.
+// (docs/dev/sources.md#algorithms-and-training-environments), made independent of the robot's size.
 // Solved by the dual active-set method of Goldfarb and Idnani, A numerically stable dual method for
 // solving strictly convex quadratic programs, Mathematical Programming 27 (1983). Allocates
 // nothing.

@@ -4,14 +4,14 @@
 
 namespace understudy::motion {
 
-void GaitClock::Begin(const Gait& gait, double wait, double phase) {
+void GaitClock::Begin(const GaitTiming& gait, double wait, double phase) {
   gait_ = gait;
   phase_ = phase;
   wait_ = wait;
   halted_ = false;
 }
 
-void GaitClock::Advance(double dt, const Gait& gait, bool halt) {
+void GaitClock::Advance(double dt, const GaitTiming& gait, bool halt) {
   wait_ -= dt;
   halted_ = halt && all_stand();
   if (all_stand() && gait.offsets != gait_.offsets) {

@@ -6,7 +6,7 @@
 
 namespace understudy::motion {
 
-struct Gait {
+struct GaitTiming {
   double period = 0.5;                               // s
   double duty = 0.5;                                 // part of it that a foot stands, 0.5 or more
   double raise = 0.08;                               // m that a foot is lifted by
@@ -20,10 +20,10 @@ class GaitClock {
  public:
   // All feet stand for `wait` s, then the first lift: those that have stood longest at that part of
   // a stride.
-  void Begin(const Gait& gait, double wait, double phase = 0);
+  void Begin(const GaitTiming& gait, double wait, double phase = 0);
 
   // Goes on by dt [s]. With `halt` it stops as soon as all feet stand.
-  void Advance(double dt, const Gait& gait, bool halt);
+  void Advance(double dt, const GaitTiming& gait, bool halt);
 
   bool stands(std::size_t leg) const { return phase(leg) < gait_.duty; }
   bool halted() const { return halted_; }
@@ -41,7 +41,7 @@ class GaitClock {
   double phase(std::size_t leg) const;  // 0 at touchdown, to 1
   bool all_stand() const { return stands(0) && stands(1) && stands(2) && stands(3); }
 
-  Gait gait_;
+  GaitTiming gait_;
   double phase_ = 0;  // of what has no offset
   double wait_ = 0;   // s
   bool halted_ = true;

@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include "authority/goals.h"
-#include "robot/robot_spec.h"
+#include "robot/motion_spec.h"
 
 namespace understudy::motion {
 
 // One gait. What it does it says in parts of the robot's own figures,
-// `robot.motion.quadruped.walk`; what the robot tells of it is the vendor's.
+// `robot.motion.quadruped.walk`; the reported gait is the vendor's.
 struct GaitRow {
   authority::goal::GaitName gait;
   std::string_view name;

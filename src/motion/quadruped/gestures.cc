@@ -138,22 +138,22 @@ StancePose InMetres(const StancePose& posture, double leg_length, double stand_h
   return pose;
 }
 
-void Gesture::Begin(std::span<const Keyframe> frames) {
+void KeyframePlayer::Begin(std::span<const Keyframe> frames) {
   frames_ = frames;
   Play(0);
 }
 
-void Gesture::End() {
+void KeyframePlayer::End() {
   if (frame_ + kKeyframesBack < frames_.size()) Play(frames_.size() - kKeyframesBack);
 }
 
-void Gesture::Play(std::size_t frame) {
+void KeyframePlayer::Play(std::size_t frame) {
   frame_ = frame;
   const Keyframe key = frame < frames_.size() ? frames_[frame] : Keyframe{kReturnTime, {}};
   stance_->MoveTo(stance_->Feasible(InMetres(key.pose, leg_length_, stand_height_)), key.duration);
 }
 
-void Gesture::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
+void KeyframePlayer::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
   stance_->Step(sensed, dt, legs);
   if (stance_->over() && frame_ < frames_.size()) Play(frame_ + 1);
 }

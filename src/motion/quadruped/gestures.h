@@ -25,10 +25,10 @@ const StancePose& PosePosture();
 StancePose InMetres(const StancePose& posture, double leg_length, double stand_height);
 
 // Leads a stance from keyframe to keyframe and then back to a stand.
-class Gesture final : public Behaviour {
+class KeyframePlayer final : public Behaviour {
  public:
   // `stance` must outlive it and have begun. Lengths in m.
-  Gesture(Stance* stance, double leg_length, double stand_height)
+  KeyframePlayer(Stance* stance, double leg_length, double stand_height)
       : stance_(stance), leg_length_(leg_length), stand_height_(stand_height) {
     KeyframesOf({});  // the first call makes them, and no step may allocate
   }

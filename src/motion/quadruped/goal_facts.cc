@@ -44,6 +44,11 @@ bool IsGesture(const authority::MotionGoal& goal) {
          std::holds_alternative<goal::Pose>(goal);
 }
 
+bool IsMove(const authority::MotionGoal& goal) {
+  return std::holds_alternative<goal::Move>(goal) || std::holds_alternative<goal::GoTo>(goal) ||
+         std::holds_alternative<goal::FollowPath>(goal);
+}
+
 std::optional<StancePose> PoseOf(const authority::MotionGoal& goal, const StancePose& wanted,
                                  const robot::QuadrupedMotionSpec& figures, double leg_length) {
   StancePose pose = wanted;

@@ -1,11 +1,11 @@
-// What the goals of a quadruped say, whatever state it is in.
+// Properties of a quadruped's goals that do not depend on its state.
 #pragma once
 
 #include <optional>
 
 #include "authority/goals.h"
 #include "motion/quadruped/stance.h"
-#include "robot/robot_spec.h"
+#include "robot/motion_spec.h"
 
 namespace understudy::motion {
 
@@ -14,6 +14,9 @@ bool IsSound(const authority::MotionGoal& goal);
 
 // A gesture, Sit or Pose.
 bool IsGesture(const authority::MotionGoal& goal);
+
+// Move, GoTo or FollowPath.
+bool IsMove(const authority::MotionGoal& goal);
 
 // The pose that Euler, BodyHeight or BodyPosition makes of `wanted`, cut to the ranges of
 // `figures`; none for other goals. `leg_length` in m.

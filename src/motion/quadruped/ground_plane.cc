@@ -6,7 +6,7 @@ namespace understudy::motion {
 
 using Eigen::Vector3d;
 
-void GroundPlane::Follow(const PerLeg& feet, double dt) {
+void GroundPlane::Update(const PerLeg& feet, double dt) {
   constexpr double kTime = 0.1;  // s, assumed
   middle_ = (feet[0] + feet[1] + feet[2] + feet[3]) / 4;
   double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;

@@ -13,7 +13,7 @@ class GroundPlane {
  public:
   void Begin() { slope_.setZero(); }
   // One step of dt [s].
-  void Follow(const PerLeg& feet, double dt);
+  void Update(const PerLeg& feet, double dt);
 
   double HeightAt(const Eigen::Vector3d& p) const { return middle_.z() + slope_.dot(p - middle_); }
   // Rise per metre along x and y; z is 0.

@@ -14,7 +14,7 @@ struct LegPlaces {
   Eigen::Vector3d hip, thigh, calf, foot;
 };
 
-// How a point of the calf moves per angle, m/rad, a column per joint; the foot's centre likewise.
+// How a point of the calf, and the foot's centre, moves per angle: m/rad, a column per joint.
 Eigen::Matrix3d CalfJacobian(const LegPlaces& places, const Eigen::Vector3d& point);
 Eigen::Matrix3d FootJacobian(const LegPlaces& places);
 

@@ -6,7 +6,7 @@
 
 #include "motion/quadruped/capture.h"
 #include "motion/quadruped/goal_facts.h"
-#include "motion/quadruped/rotations.h"
+#include "motion/rotations.h"
 #include "robot/firmware.h"
 
 namespace understudy::motion {
@@ -36,7 +36,8 @@ authority::goal::GaitName DefaultGait(const robot::RobotSpec& spec) {
 
 }  // namespace
 
-QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFigures& figures)
+QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFigures& figures,
+                                 std::unique_ptr<PolicyDrive> policy)
     : spec_(spec),
       figures_(spec.motion.quadruped),
       body_(figures),
@@ -48,6 +49,7 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
       trot_(body_, estimator_, figures_),
       drive_(body_, estimator_, &stance_, figures_),
       wheels_(figures_) {
+  if (policy) policy_.emplace(std::move(policy));
   Use(RowOf(DefaultGait(spec)), 0);
 }
 
@@ -90,6 +92,16 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
       return row->verdict;
     }
   }
+  if (row == nullptr && kRises.Has(state_) && !IsMove(goal)) {
+    // What the stand that it rises to allows is done there.
+    row = Find(rows, goal.index(), EndOf(state_), holds);
+    const bool from_lock =
+        figures_.gestures_from_lock && EndOf(state_) == kLocked && IsGesture(goal);
+    if (from_lock || (row != nullptr && row->verdict == authority::MotionVerdict::kTaken)) {
+      then_ = goal;
+      return authority::MotionVerdict::kTaken;
+    }
+  }
   const bool rises = kSits.Has(state_) && std::holds_alternative<goal::StandUp>(goal);
   if (row == nullptr && figures_.gestures_from_lock &&
       (rises || (state_ == kLocked && IsGesture(goal)))) {
@@ -99,6 +111,8 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
   }
   if (row == nullptr) return authority::MotionVerdict::kNotNow;
   if (row->verdict == authority::MotionVerdict::kTaken) {
+    // A new way up or down replaces what was to follow the old one.
+    if (row->to || std::holds_alternative<goal::StandUp>(goal)) then_.reset();
     if (const auto* gesture = std::get_if<goal::Gesture>(&goal)) gesture_name_ = gesture->name;
     if (std::holds_alternative<goal::BalanceStand>(goal)) stand_ = kBalance;
     if (std::holds_alternative<goal::Gait>(goal) ||
@@ -198,7 +212,7 @@ void QuadrupedMotion::Enter(State state) {
     case kSitting:
       break;
     case kPosing:
-      Follow(InMetres(PosePosture(), body_.leg_length(), figures_.stand_height));
+      SetPose(InMetres(PosePosture(), body_.leg_length(), figures_.stand_height));
       break;
     case kRecovering:
       recovery_.Begin(reading_);
@@ -208,6 +222,11 @@ void QuadrupedMotion::Enter(State state) {
       if (!topples) stand_ = kStanding;
       rolls_for_ = 0;
       wheels_.LetGo();
+      if (policy_) {
+        policy_->Begin();
+        now_ = &*policy_;
+        break;
+      }
       if (const PerLeg rest = Under(figures_.stand_height - body_.radius()); topples) {
         trot_.BeginToppling(reading_, rest, rolling);
       } else {
@@ -239,12 +258,17 @@ bool QuadrupedMotion::Topples() const {
 // would have to slip, is stepped with the wheels braked, and what follows for a while: to change
 // between the two it has to stop.
 void QuadrupedMotion::Move(double dt) {
-  const Vector3d taken = trot_.Taken(asked_.Step(dt, Here()));
+  const Vector3d asked = asked_.Step(dt, Here());
+  const Vector3d taken = policy_ ? asked : trot_.Taken(asked);
   const bool stepping = stepping_ && !then_;
   const bool rolls = wheeled() && !stepping && std::abs(taken.y()) <= figures_.walk.dead_band.y() &&
                      std::abs(taken.z()) <= kSharpest * std::abs(taken.x());
   rolls_for_ = rolls ? rolls_for_ + dt : 0;
   const bool steps = !rolls || (state_ == kWalking && rolls_for_ < kStepsOn);
+  if (policy_) {
+    policy_->KeepStepping(stepping);
+    policy_->Ask(taken);
+  }
   trot_.KeepStepping(stepping);
   trot_.Ask(steps ? taken : Vector3d::Zero());
   trot_.Hurry(!steps && !taken.isZero(0));
@@ -260,7 +284,7 @@ void QuadrupedMotion::Move(double dt) {
 void QuadrupedMotion::Stand(State from) {
   now_ = &stance_;
   if (kGestureStates.Has(from) || from == kDriving) return;
-  if (kStanceStates.Has(from)) return Follow(Default());
+  if (kStanceStates.Has(from)) return SetPose(Default());
   stance_.Begin(reading_);
   if (from != kWalking) wanted_ = Default();
   stance_.MoveTo(stance_.Feasible(wanted_), kBalanceTime);
@@ -287,10 +311,10 @@ void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
   }
   const bool moves = kStands.Has(state_) || kMovingStates.Has(state_);
   if (moves && asked_.Take(goal, ScaleOf(level_).sticks, Here())) then_.reset();
-  if (const auto pose = PoseOf(goal, wanted_, figures_, body_.leg_length())) Follow(*pose);
+  if (const auto pose = PoseOf(goal, wanted_, figures_, body_.leg_length())) SetPose(*pose);
 }
 
-void QuadrupedMotion::Follow(const StancePose& pose) {
+void QuadrupedMotion::SetPose(const StancePose& pose) {
   wanted_ = pose;
   led_ = 0;
   if (state_ == kWalking) {
@@ -327,26 +351,30 @@ robot::MotionState QuadrupedMotion::state() const {
 void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
                            robot::RobotCommand* command) {
   reading_ = body_.Read(input);
-  estimator_.Step(reading_, dt,
-                  state_ == kWalking ? trot_.stands() : std::array<double, 4>{1, 1, 1, 1});
+  estimator_.Step(reading_, dt, now_ == &trot_ ? trot_.stands() : std::array<double, 4>{1, 1, 1, 1},
+                  state_ == kDamped || state_ == kLying);
   since_ += dt;
   led_ += dt;
   if (state_ == kDamped && fallen_ && auto_recovery_ && since_ > kFallenRest) Enter(kRecovering);
   if (state_ == kLying && since_ > kLyingRest) Enter(kDamped);
+  if (policy_) policy_->Sense(input);
   Move(dt);
   if (now_ != nullptr) now_->Step(reading_, dt, &legs_);
-  command->joint_space = robot::JointSpace::kPitchRoll;
   if (state_ == kDamped) {
     Brake(figures_.damping_kd, command);
   } else if (state_ == kLying && wheeled()) {
     Brake(0, command);  // the vendor's Go2-W page: motors idle after StandDown
+  } else if (policy_ && now_ == &*policy_) {
+    std::ranges::copy(policy_->command().motors, command->motors.begin());
   } else {
     CommandLegs(legs_, figures_.kp, figures_.kd, command);
     Wheels(input, command);
   }
   const State next = RowOf(state_).next;
   if (next != state_ && now_->over()) Enter(next == kStanding ? stand_ : next);
-  if (kStands.Has(state_) && then_) Ask(*std::exchange(then_, std::nullopt));
+  if ((kStands.Has(state_) || state_ == kLocked) && then_) {
+    Ask(*std::exchange(then_, std::nullopt));
+  }
 }
 
 void QuadrupedMotion::Wheels(const authority::MotionInput& input, robot::RobotCommand* command) {
@@ -388,10 +416,5 @@ StancePose QuadrupedMotion::Default() const {
 }
 
 bool QuadrupedMotion::upright() const { return reading_.up.z() > kUprightCosine; }
-
-std::unique_ptr<authority::Motion> MakeQuadrupedMotion(const robot::RobotSpec& spec,
-                                                       const physics::RobotBody& body) {
-  return std::make_unique<QuadrupedMotion>(spec, ReadQuadruped(body));
-}
 
 }  // namespace understudy::motion

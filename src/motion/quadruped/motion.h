@@ -14,11 +14,11 @@
 #include "motion/quadruped/gestures.h"
 #include "motion/quadruped/motor_commands.h"
 #include "motion/quadruped/moves.h"
+#include "motion/quadruped/policy_gait.h"
 #include "motion/quadruped/recovery.h"
 #include "motion/quadruped/stance.h"
 #include "motion/quadruped/states.h"
 #include "motion/quadruped/trot.h"
-#include "physics/robot_body.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::motion {
@@ -27,8 +27,9 @@ namespace understudy::motion {
 // states.h; a state has one behaviour that leads the legs.
 class QuadrupedMotion : public authority::Motion {
  public:
-  // `spec` must outlive it.
-  QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFigures& figures);
+  // `spec` must outlive it. With `policy` that one walks in place of the trot.
+  QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFigures& figures,
+                  std::unique_ptr<PolicyDrive> policy = nullptr);
 
   // Damped; a robot that stands is kept standing, in its default gait (assumed), and one that lies
   // stands up where `stands_up` says so.
@@ -49,7 +50,7 @@ class QuadrupedMotion : public authority::Motion {
   void Enter(State state);  // begins what the legs do in it
   void Stand(State from);
   void Keep(const authority::MotionGoal& goal);  // what a goal sets beside the state
-  void Follow(const StancePose& pose);
+  void SetPose(const StancePose& pose);
   void Use(const GaitRow& gait, int level);
 
   // Of a robot that stands or drives: how fast its feet roll, m/s, world; whether it was pushed so
@@ -57,7 +58,7 @@ class QuadrupedMotion : public authority::Motion {
   Eigen::Vector3d Rolling() const;
   bool Topples() const;
   void Move(double dt);  // begins to walk or drive, and ends what was not renewed
-  // Of a step: falls and what comes of them; what the motors are told.
+  // Of a step: falls and their effects; commands to the motors.
   void Wheels(const authority::MotionInput& input, robot::RobotCommand* command);
 
   PerLeg Under(double depth) const;  // feet that far below the hips [m], in the base
@@ -75,9 +76,10 @@ class QuadrupedMotion : public authority::Motion {
   JointsMove joints_;
   FeetMove feet_;
   Stance stance_;
-  Gesture gesture_;
+  KeyframePlayer gesture_;
   QuadrupedRecovery recovery_;
   Trot trot_;
+  std::optional<PolicyGait> policy_;  // walks in place of the trot
   Drive drive_;
   WheelCommands wheels_;
 
@@ -100,10 +102,4 @@ class QuadrupedMotion : public authority::Motion {
   StancePose wanted_;  // by Euler and body height
   LegCommand legs_;    // as of the last step
 };
-
-// The motion service of that robot. `spec` must outlive it. Throws ModelError when the model's legs
-// are not those of a quadruped.
-std::unique_ptr<authority::Motion> MakeQuadrupedMotion(const robot::RobotSpec& spec,
-                                                       const physics::RobotBody& body);
-
 }  // namespace understudy::motion

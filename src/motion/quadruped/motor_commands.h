@@ -1,11 +1,11 @@
-// What the motors of a quadruped are told.
+// Motor commands of a quadruped.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
 #include "motion/quadruped/behaviour.h"
-#include "robot/robot_spec.h"
+#include "robot/motion_spec.h"
 #include "robot/robot_values.h"
 
 namespace understudy::motion {

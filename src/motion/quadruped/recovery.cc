@@ -102,7 +102,7 @@ void QuadrupedRecovery::Enter(Phase phase, const QuadrupedReading& reading) {
   move_.Begin(reading, Goal(phase), time);
 }
 
-void QuadrupedRecovery::Follow(const QuadrupedReading& reading) {
+void QuadrupedRecovery::EnterNext(const QuadrupedReading& reading) {
   switch (phase_) {
     case Phase::kFold:
       if (reading.up.z() > kUpright) {
@@ -129,7 +129,7 @@ void QuadrupedRecovery::Step(const QuadrupedReading& sensed, double dt, LegComma
   left_ -= dt;
   move_.Step(sensed, dt, legs);
   if (left_ > 0) return;
-  Follow(sensed);
+  EnterNext(sensed);
   move_.Step(sensed, 0, legs);
 }
 

@@ -27,7 +27,7 @@ class QuadrupedRecovery final : public Behaviour {
   enum class Phase : std::uint8_t { kFold, kSwing, kPush, kOver };
 
   void Enter(Phase phase, const QuadrupedReading& reading);
-  void Follow(const QuadrupedReading& reading);
+  void EnterNext(const QuadrupedReading& reading);
   PerLeg Goal(Phase phase) const;
 
   const QuadrupedBody& body_;

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "motion/joint_move.h"
-#include "motion/quadruped/rotations.h"
+#include "motion/rotations.h"
 
 namespace understudy::motion {
 namespace {
@@ -25,7 +25,7 @@ constexpr double kHipClear = 0.2;        // of the leg's length over the ground
 constexpr double kTrunkClear = 0.01;
 constexpr double kKneeClear = 0.08;
 constexpr double kHeightStep = 0.05;  // of the leg's length, of the search for a feasible pose
-constexpr int kTilts = 20;            // from the wanted tilt down to none, likewise
+constexpr int kTilts = 20;            // from the wanted tilt down to none, of the same search
 constexpr double kFollowRate = 8;     // rad/s, of the critically damped follower
 constexpr double kArrived = 1e-9;     // m, rad and per s: nearer, and it is there
 

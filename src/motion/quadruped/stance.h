@@ -19,8 +19,7 @@ struct StancePose {
 };
 
 // Leads the body from pose to pose. Height and orientation come from the joint angles and the
-// inertial unit and are corrected until they fit, on whatever ground the feet stand. Allocates
-// nothing.
+// inertial unit and are corrected until they fit, on any ground. Allocates nothing.
 class Stance final : public Behaviour {
  public:
   // `body` must outlive it.

@@ -32,6 +32,11 @@ const QuadrupedStateRow& RowOf(QuadrupedState state) {
   return kRows[static_cast<std::size_t>(state)];
 }
 
+QuadrupedState EndOf(QuadrupedState state) {
+  while (RowOf(state).next != state) state = RowOf(state).next;
+  return state;
+}
+
 std::span<const QuadrupedTransition> QuadrupedTransitions() {
   using enum QuadrupedState;
   using enum QuadrupedWhen;
@@ -70,6 +75,7 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
       {kGoal<goal::StandDown>, {kStanding, kBalance, kPosing}, kLegged, kTaken, kLowering},
       {kGoal<goal::StandDown>, {kLowering, kUnfolding, kLying}, kAlways, kTaken},
 
+      {kGoal<goal::BalanceStand>, {kFolding, kFoldingOn}, kAlways, kTaken, kFoldingOn},
       {kGoal<goal::BalanceStand>, {kRising, kRisingOn}, kAlways, kTaken, kRisingOn},
       {kGoal<goal::BalanceStand>, {kLocked, kPosing, kStanding}, kAlways, kTaken, kBalance},
       {kGoal<goal::BalanceStand>, {kBalance}, kAlways, kTaken},
@@ -100,6 +106,7 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
       {kGoal<goal::ResetEstimator>, {kLocked, kStanding, kBalance, kPosing}, kAlways, kTaken},
 
       // A gait frees the joints of a robot that stands locked, as seen on a Go2.
+      {kGoal<goal::Gait>, {kFolding, kFoldingOn}, kAlways, kTaken, kFoldingOn},
       {kGoal<goal::Gait>, {kRising, kRisingOn}, kAlways, kTaken, kRisingOn},
       {kGoal<goal::Gait>, {kLocked, kBalance, kPosing}, kAlways, kTaken, kStanding},
       {kGoal<goal::Gait>, {kStanding, kWalking, kDriving}, kAlways, kTaken},

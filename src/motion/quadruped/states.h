@@ -13,14 +13,14 @@ namespace understudy::motion {
 enum class QuadrupedState : std::uint8_t {
   kDamped,
   kFolding,    // joints move to the crouch, towards a locked stand
-  kRising,     // feet move down under the body, likewise
+  kRising,     // feet move down under the body, towards a locked stand
   kLocked,     // stands, joints locked
   kFoldingOn,  // as kFolding and kRising, towards a balanced stand
   kRisingOn,
   kLowering,   // feet move up to the crouch, towards lying
   kUnfolding,  // joints move to the lying pose
   kLying,      // joints locked
-  kStanding,   // balanced, in a gait, until it is told to move
+  kStanding,   // balanced, in a gait, until a command to move
   kBalance,    // what BalanceStand leads to
   kGesturing,
   kEndingGesture,  // puts the robot back on its feet
@@ -47,10 +47,15 @@ inline constexpr StateSet<QuadrupedState> kStanceStates{
 inline constexpr StateSet<QuadrupedState> kMovingStates{QuadrupedState::kWalking,
                                                         QuadrupedState::kDriving};
 
-// What it tells of a state, and the state that follows once its behaviour is over. Of those that
-// stand in a gait, walk or drive it tells what the gait's row says. Ids and modes are the vendor's
-// (Go2 motion services V2.0; its page of the older firmware); that a robot rises in mode 3 was seen
-// on a B2. Recovering is in neither list: the crouch and recoveryStand are assumed.
+// On its way from the ground to a stand.
+inline constexpr StateSet<QuadrupedState> kRises{QuadrupedState::kFolding, QuadrupedState::kRising,
+                                                 QuadrupedState::kFoldingOn,
+                                                 QuadrupedState::kRisingOn};
+
+// What the robot reports of a state, and the state that follows once its behaviour is over. Of
+// those that stand in a gait, walk or drive it reports what the gait's row says. Ids and modes are
+// the vendor's (Go2 motion services V2.0; its page of the older firmware); that a robot rises in
+// mode 3 was seen on a B2. Recovering is in neither list: the crouch and recoveryStand are assumed.
 struct QuadrupedStateRow {
   QuadrupedState state;
   std::string_view name;   // for people
@@ -58,6 +63,8 @@ struct QuadrupedStateRow {
   QuadrupedState next;     // the same: it lasts. kStanding: the stand that it came from
 };
 const QuadrupedStateRow& RowOf(QuadrupedState state);
+// Returns the state that lasts to which this one leads by itself.
+QuadrupedState EndOf(QuadrupedState state);
 
 // When a row counts.
 enum class QuadrupedWhen : std::uint8_t {
@@ -68,7 +75,7 @@ enum class QuadrupedWhen : std::uint8_t {
 
 // By MotionGoal::index(). A row that leads to kStanding leads back to BalanceStand's stand where
 // the robot came from that. What is legal where is assumed where it is not the vendor's word
-// (docs/fidelity.md): the vendor's graph was not found.
+// (docs/reference/fidelity.md): the vendor's graph was not found.
 using QuadrupedTransition = Transition<std::size_t, QuadrupedState, QuadrupedWhen>;
 std::span<const QuadrupedTransition> QuadrupedTransitions();
 

@@ -8,8 +8,8 @@
 
 #include "motion/quadruped/capture.h"
 #include "motion/quadruped/force_qp.h"
-#include "motion/quadruped/rotations.h"
 #include "motion/quadruped/swing.h"
+#include "motion/rotations.h"
 
 namespace understudy::motion {
 namespace {
@@ -22,10 +22,10 @@ using Eigen::Vector3d;
 // pendulum, so that robots of any size move alike.
 constexpr double kWait = 0.1;         // s that all feet stand before the first lifts
 constexpr double kIdle = 0.6;         // s it steps on the spot before it stands
-constexpr double kIdleHurried = 0.2;  // s, likewise, when it is to go on on wheels
+constexpr double kIdleHurried = 0.2;  // s, the same before it goes on on wheels
 constexpr double kIdleSpeed = 0.1;    // m/s, most to stand from
 constexpr double kAhead = 0.1;        // m, most that the wanted way is ahead of the body (MIT)
-constexpr double kYawAhead = 0.2;     // rad, likewise
+constexpr double kYawAhead = 0.2;     // rad, most that the wanted heading is ahead
 constexpr double kRise = 0.2;         // m/s, of a change of height
 constexpr double kFelt = 0.06;        // of the weight: a foot feels the ground
 constexpr double kMayLand = 0.6;      // part of a swing from when on that ends it
@@ -34,7 +34,7 @@ constexpr double kTrustTime = 0.03;   // s after touchdown and before lifting th
 constexpr double kRampTime = 0.03;    // s in which it takes the load over and gives it up
 constexpr double kLeastLoad = 0.05;   // of its most, as it touches down
 constexpr double kMostForce = 1.2;    // of the weight, a foot
-constexpr double kLeastForce = 0.03;  // likewise
+constexpr double kLeastForce = 0.03;  // of the weight, a foot
 constexpr double kPlaceGain = 0.5, kSpeedGain = 1.6;  // level gains
 constexpr double kHeight = 4, kLiftSpeed = 3;         // vertical gains
 constexpr double kTilt = 14, kTiltRateGain = 7;       // of roll and pitch
@@ -111,7 +111,7 @@ void Trot::Carry(double height, const Vector3d& rpy) {
   wanted_rpy_ = rpy;
 }
 
-Gait Trot::WantedGait() const {
+GaitTiming Trot::WantedGait() const {
   const robot::WalkSpec& walk = spec_.walk;
   const double most = walk.most_speed[0];
   const double part = most > 0 ? std::min(wish_.velocity().head<2>().norm() / most, 1.0) : 0;
@@ -140,7 +140,7 @@ void Trot::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
   Watch(sensed);
   PerLeg stood;
   for (std::size_t leg = 0; leg < 4; ++leg) stood[leg] = feet_[leg].on;
-  ground_.Follow(stood, dt);
+  ground_.Update(stood, dt);
   Push(sensed, legs);
   for (std::size_t leg = 0; leg < 4; ++leg) {
     if (feet_[leg].swings) Swing(sensed, leg, legs);

@@ -10,7 +10,7 @@
 #include "motion/quadruped/gait_clock.h"
 #include "motion/quadruped/ground_plane.h"
 #include "motion/quadruped/velocity_wish.h"
-#include "robot/robot_spec.h"
+#include "robot/motion_spec.h"
 
 namespace understudy::motion {
 
@@ -27,8 +27,8 @@ class Trot final : public Behaviour {
 
   // From standing on four feet; `rest` are points of the base [m] under which feet stand at rest.
   void Begin(const QuadrupedReading& sensed, const PerLeg& rest);
-  // Likewise of a body that topples while its feet roll with that velocity [m/s, frame T]: at once,
-  // and first with the pair of feet that holds the falling body less.
+  // From a body that topples while its feet roll with that velocity [m/s, frame T]: steps at once,
+  // first with the pair of feet that holds the falling body less.
   void BeginToppling(const QuadrupedReading& sensed, const PerLeg& rest,
                      const Eigen::Vector3d& rolling);
 
@@ -73,7 +73,7 @@ class Trot final : public Behaviour {
   double Load(std::size_t leg) const;  // 0 to 1, how much of its most a foot may carry now
   Eigen::Vector3d Foothold(std::size_t leg) const;
   void Swing(const QuadrupedReading& sensed, std::size_t leg, LegCommand* legs) const;
-  Gait WantedGait() const;
+  GaitTiming WantedGait() const;
 
   const QuadrupedBody& body_;
   const QuadrupedEstimator& estimator_;
@@ -89,7 +89,7 @@ class Trot final : public Behaviour {
   Eigen::Vector3d com_{0, 0, 0}, v_com_{0, 0, 0};  // W: m, m/s
   double turns_ = 0;                               // rad/s, about the vertical
   Eigen::Vector3d ahead_{0, 0, 0};  // m, W, level: how far the wanted way is ahead of the body
-  double yaw_ahead_ = 0;            // rad, likewise
+  double yaw_ahead_ = 0;            // rad, of the wanted heading
   double height_ = 0;               // m, that is wanted now
   double wanted_height_ = 0;        // m, and in the end
   Eigen::Vector3d wanted_rpy_{0, 0, 0};

@@ -1,4 +1,4 @@
-// How a walking robot takes what it is told to.
+// Turns a commanded velocity into that of a walking robot.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "robot/robot_spec.h"
+#include "robot/motion_spec.h"
 
 namespace understudy::motion {
 

@@ -32,6 +32,21 @@ export class Bar {
     return this.snapshotSpeed ?? 1;
   }
 
+  // The robots of the world, each with its panel: choosing one goes there.
+  setRobots(robots) {
+    const list = byId("robots");
+    list.parentElement.hidden = robots.length === 0;
+    list.replaceChildren(...robots.map(({ name, url }) => {
+      const here = url !== "" && new URL(url).port === location.port;
+      return element("option", { value: url, text: name, selected: here, disabled: url === "" });
+    }));
+    list.onchange = () => {
+      const url = new URL(list.value);
+      url.hostname = location.hostname; // as this page is reached
+      location.assign(url);
+    };
+  }
+
   setScene(scene) {
     setText(byId("robot"), scene.name ?? scene.robot);
     document.title = `${scene.name ?? scene.robot} · Understudy`;

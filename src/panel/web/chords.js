@@ -4,7 +4,7 @@ import { byId, element, setClass, setText } from "./dom.js";
 const NO_SERVICE = "no motion service is on";
 const PRESS = 0.12; // s of wall time that the keys of a chord are down; *assumed*
 const BETWEEN = 250; // ms between two presses of one; the robot allows 500 of simulated time
-const LEAST = 0.02, MOST = 10; // s of simulated time, whatever the speed: a few ticks, and no key for ever
+const LEAST = 0.02, MOST = 10; // s of simulated time: a few ticks, and no key for ever
 
 // PRESS in simulated seconds; `speed` 0 is unbounded, and taken for 20.
 const pressed = (speed) => Math.min(MOST, Math.max(LEAST, PRESS * (speed || 20)));

@@ -28,7 +28,7 @@ function names(endpoints) {
 const shortType = (type) => type.replace(/::(msg::)?dds_::/, "/");
 const foreign = ({ endpoints }) => endpoints.some(({ ours }) => !ours);
 // What cannot pass first, then what others have to do with.
-const weight = (topic) => (topic.mismatches.length ? 2 : foreign(topic) ? 1 : 0);
+const weight = (topic) => (topic.mismatches.length || topic.unserved ? 2 : foreign(topic) ? 1 : 0);
 
 export class Dds {
   constructor(link) {
@@ -93,6 +93,10 @@ export class Dds {
     const more = topic.mismatches.map(({ writer, reader, why }) =>
       element("tr", { class: "more" }, element("td", { colspan: 4, class: "bad",
         text: `nothing passes from ${writer} to ${reader}: ${why}` })));
+    if (topic.unserved) {
+      more.push(element("tr", { class: "more" }, element("td", { colspan: 4, class: "bad",
+        text: `nobody here serves it; on a robot: ${topic.unserved}` })));
+    }
     if (!open) return [row, ...more];
     return [row, ...more, ...topic.endpoints.map((one) =>
       element("tr", { class: "more" }, element("td", { colspan: 4, class: "muted",

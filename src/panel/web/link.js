@@ -26,7 +26,7 @@ export function takeToken() {
 
 export class Link {
   // `on` has a function for each kind of news: scene(description), snapshot(snapshot),
-  // status(status), event(event), line(state, why) with state live | silent | lost, token(state)
+  // status(status), event(event), line(state, why) with state live | silent | lost, token(state), robots([{name, url}])
   // with state ok | none | stale.
   constructor(token, on) {
     this.token = token;
@@ -157,9 +157,10 @@ export class Link {
   // Whether the robot takes requests from this page, by what needs the token and changes nothing.
   async checkToken() {
     if (!this.token) return this.on.token("none");
-    const { status } = await fetch("/panel", { headers: this.authorization(), cache: "no-store" });
-    this.requestsOpen = status !== 401 && status !== 403;
+    const reply = await fetch("/panel", { headers: this.authorization(), cache: "no-store" });
+    this.requestsOpen = reply.status !== 401 && reply.status !== 403;
     this.on.token(this.requestsOpen ? "ok" : "stale");
+    if (reply.ok) this.on.robots((await reply.json()).robots);
   }
 
   authorization() {

@@ -50,7 +50,8 @@ let replaying = false; // the view has a recording's poses
 
 const link = new Link(takeToken(), { scene: setScene, snapshot: showSnapshot, status: showStatus,
                                      event: showEvent,
-                                     line: showLine, token: showToken });
+                                     line: showLine, token: showToken,
+                                     robots: (robots) => bar.setRobots(robots) });
 
 function makeView() {
   try {

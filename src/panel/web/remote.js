@@ -6,8 +6,8 @@ import {
 } from "./remote_inputs.js";
 
 const EVERY = 33; // ms between looks at all inputs
-const RENEW = 150; // ms; what is held is told again, or the robot lets go of it
-const TAP = 80; // ms that a key stays down at least, counted from when the robot was told; *assumed*
+const RENEW = 150; // ms; what is held is sent again, or the robot lets go of it
+const TAP = 80; // ms that a key stays down at least, counted from the message to the robot; *assumed*
 
 export class Remote {
   // request(name, values) sends; speed() is how fast simulated time is meant to go, 0 for unbounded.
@@ -19,7 +19,7 @@ export class Remote {
     this.down = new Map(); // of the keyboard: event.code -> what it meant when it went down
     this.half = false; // Shift is down
     this.latched = new Set();
-    this.tapped = new Map(); // keys that went down a moment ago -> when the robot was told, or null
+    this.tapped = new Map(); // keys that went down a moment ago -> when the robot was sent them, or null
     this.press = Math.floor(Math.random() * 9e7); // number of the last press
     this.told = new Set(); // the keys that were sent last
     this.sent = "";

@@ -56,7 +56,7 @@ export function fromGamepad({ buttons, axes }) {
   return { ...wish, lx, ly: 0 - ly, rx, ry: 0 - ry };
 }
 
-// All of them at once: every key that anybody presses; a stick goes to whoever moves it furthest.
+// All of them at once: every key that anybody presses; the input that moves a stick furthest has it.
 export function together(wishes) {
   const all = { keys: new Set(), ...NONE };
   for (const wish of wishes) {

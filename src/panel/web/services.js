@@ -9,7 +9,7 @@ const CODES = { 0: "ok", 3102: "not sent", 3104: "timeout", 3202: "internal erro
                 3203: "unknown api", 3204: "bad parameter", 3205: "lease denied",
                 3206: "no such lease", 3207: "lease taken" };
 
-// What one event tells of a call: {service, api, code, calls, why}; null if it tells of none.
+// The call that an event reports: {service, api, code, calls, why}; null for other events.
 export function callOf({ kind, detail }) {
   if (kind === "call") {
     return { service: detail.service, api: detail.api, code: detail.code, calls: detail.count ?? 1, why: "" };

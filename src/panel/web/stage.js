@@ -47,7 +47,7 @@ export class Stage {
     this.picture.wrapS = this.picture.wrapT = THREE.RepeatWrapping;
     this.picture.anisotropy = renderer.capabilities.getMaxAnisotropy();
     this.picture.encoding = THREE.sRGBEncoding;
-    // The ground has the page's own colours, whatever the light; shadows lie on a second sheet.
+    // The ground has the page's own colours in any light; shadows lie on a second sheet.
     this.floorMaterial = new THREE.MeshBasicMaterial({ map: this.picture });
     this.shadowMaterial = new THREE.ShadowMaterial();
     this.floors = [];

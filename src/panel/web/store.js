@@ -1,5 +1,5 @@
-// What the page remembers of a robot of that name, for as long as the browser does. Whoever may
-// store nothing, such as a private window, forgets.
+// What the page remembers of a robot of that name, for as long as the browser does. A window
+// that may store nothing, such as a private one, forgets.
 let prefix = "understudy.";
 
 export function setRobot(name) {

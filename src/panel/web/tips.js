@@ -1,4 +1,4 @@
-// Titles for those who have no mouse: a finger that rests on something with a title is told it.
+// Titles for those who have no mouse: a finger that rests on something shows its title.
 const REST = 450; // ms; *assumed*, as the next
 const SHOWN = 4000; // ms
 

@@ -14,7 +14,7 @@ namespace {
 using authority::To;
 namespace goal = authority::goal;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
-using namespace sport;   // NOLINT(google-build-using-namespace): likewise
+using namespace sport;   // NOLINT(google-build-using-namespace): those of sport
 
 // Another feedback than the robot's own estimate would need the pose that comes with it.
 ServiceReply FollowA2Path(const ServiceCall& call) {

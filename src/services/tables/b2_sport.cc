@@ -11,7 +11,7 @@ namespace {
 using authority::To;
 namespace goal = authority::goal;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
-using namespace sport;   // NOLINT(google-build-using-namespace): likewise
+using namespace sport;   // NOLINT(google-build-using-namespace): those of sport
 
 using enum goal::GaitName;
 using authority::ToIf;

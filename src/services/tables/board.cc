@@ -48,12 +48,12 @@ ServiceReply ReleaseMode(const ServiceCall& call) {
 }
 
 ServiceReply SetSilent(const ServiceCall& call) {
-  call.owner->SetSilent(call.parameter.at("silent").get<bool>());
+  call.owner->onboard().silent = call.parameter.at("silent").get<bool>();
   return {};
 }
 
 ServiceReply GetSilent(const ServiceCall& call) {
-  return {.data = json{{"silent", call.owner->silent()}}.dump()};
+  return {.data = json{{"silent", call.owner->onboard().silent}}.dump()};
 }
 
 // --- robot_state ---
@@ -91,7 +91,7 @@ ServiceReply ServiceSwitch(const ServiceCall& call) {
 
 ServiceReply SetReportFreq(const ServiceCall& call) {
   const auto seconds = [&](const char* key) { return call.parameter.at(key).get<int>(); };
-  call.owner->AskReport(seconds("interval"), seconds("duration"));
+  call.owner->onboard().RequestReport(seconds("interval"), seconds("duration"));
   return {};
 }
 
@@ -262,7 +262,6 @@ ServiceTable ConfigTable() {
           .title = "config",
           .api_version = "1.0.0.1",
           .parameter_code = 8201,
-          .tells_changes = true,
           .rows =
               {
                   Row(1001, "Set", {Text("name"), Text("content")}, Special{&SetConfig},

@@ -56,15 +56,6 @@ ServiceReply AvoidingMove(const ServiceCall& call) {
   return {.code = kRpcServerInternal};
 }
 
-ApiRow WithoutImage() {
-  return {.id = 1001,
-          .name = "GetImageSample",
-          .effect = NoController{},
-          .does = "no camera is modelled; answered with a failure",
-          .source = "[sdk] video",
-          .unable_code = kDeviceError};
-}
-
 }  // namespace
 
 ServiceTable ObstaclesAvoidTable() {
@@ -176,7 +167,10 @@ ServiceTable VideoTable(std::string_view name, std::string_view version) {
           .parameter_code = kDeviceError,
           .codes = {.unable = kDeviceError},
           .program = "video_hub",
-          .rows = {WithoutImage()}};
+          .rows = {Row(1001, "GetImageSample", {}, GivePicture{},
+                       "a JPEG of what the camera sees, in binary; 100 where there is none",
+                       "[sdk] video")},
+          .note = "What a robot's cameras are: [seeing.md](../seeing.md#cameras)."};
 }
 
 }  // namespace understudy::services

@@ -1,6 +1,7 @@
 // Short functions to write the rows of the tables. Private to services/.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string_view>
@@ -8,36 +9,37 @@
 #include <vector>
 
 #include "services/api_row.h"
+#include "services/parameter.h"
 
 namespace understudy::services::fields {
 
 inline constexpr double kInf = std::numeric_limits<double>::infinity();
 
-inline Field Bool(std::string_view key = "data") { return {.key = key, .kind = FieldKind::kBool}; }
-inline Field Flag(std::string_view key = "data") { return {.key = key, .kind = FieldKind::kFlag}; }
+inline Field Bool(std::string_view key = "data") {
+  return {.key = key, .type = &kBool, .required = true};
+}
+inline Field Flag(std::string_view key = "data") {
+  return {.key = key, .type = &kFlag, .required = true};
+}
 inline Field Int(std::string_view key = "data", double low = -kInf, double high = kInf) {
-  return {.key = key, .kind = FieldKind::kInt, .low = low, .high = high};
+  return {.key = key, .type = &schema::kWhole, .range = {low, high}, .required = true};
 }
 inline Field Number(std::string_view key = "data", double low = -kInf, double high = kInf) {
-  return {.key = key, .kind = FieldKind::kNumber, .low = low, .high = high};
+  return {.key = key, .range = {low, high}, .required = true};
 }
 inline Field Clamped(std::string_view key, double low, double high) {
-  return {.key = key,
-          .kind = FieldKind::kNumber,
-          .low = low,
-          .high = high,
-          .beyond = OutOfRange::kClamp};
+  return {.key = key, .range = {low, high}, .required = true, .clamped = true};
 }
 inline Field Clamped(std::string_view key, double bound) { return Clamped(key, -bound, bound); }
-inline Field Numbers(std::string_view key, int count) {
-  return {.key = key, .kind = FieldKind::kNumbers, .count = count};
+inline Field Numbers(std::string_view key, std::size_t count) {
+  return {.key = key, .type = &schema::kNumbers, .required = true, .count = count};
 }
-inline Field Text(std::string_view key) { return {.key = key, .kind = FieldKind::kText}; }
-inline Field Path(std::string_view key, int count) {
-  return {.key = key, .kind = FieldKind::kPath, .count = count};
+inline Field Text(std::string_view key) { return {.key = key, .type = &kString, .required = true}; }
+inline Field Path(std::string_view key, std::size_t count) {
+  return {.key = key, .type = &kPath, .required = true, .count = count};
 }
 inline Field Optional(Field field) {
-  field.optional = true;
+  field.required = false;
   return field;
 }
 

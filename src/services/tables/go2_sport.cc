@@ -17,7 +17,7 @@ namespace {
 using authority::To;
 namespace goal = authority::goal;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
-using namespace sport;   // NOLINT(google-build-using-namespace): likewise
+using namespace sport;   // NOLINT(google-build-using-namespace): those of sport
 
 using enum goal::GaitName;
 using enum goal::GestureName;
@@ -27,15 +27,19 @@ constexpr std::int32_t kPostureUnfit = 4206;
 
 // Of the row SwitchJoystick.
 ServiceReply SwitchSticks(const ServiceCall& call) {
-  call.owner->SetSticks(call.parameter.at("data").get<bool>());
+  call.owner->onboard().sticks = call.parameter.at("data").get<bool>();
   return {};
 }
 
-// The words of the vendor's app for the states that are played.
+// The words that clients of api 1034 know; those of sitting and of the pose are assumed.
 std::string_view StateWord(int id) {
   switch (id) {
     case 100:
-      return "freeWalk";
+    case 1015:
+    case 1016:
+    case 1017:
+    case 2010:
+      return "locomotion";
     case 1001:
       return "damping";
     case 1002:
@@ -43,40 +47,44 @@ std::string_view StateWord(int id) {
     case 1004:
       return "lieDown";
     case 1006:
-      return "hello";
+      return "dance";
     case 1007:
       return "sit";
     case 1013:
       return "balanceStand";
-    case 1015:
-      return "walk";
-    case 1016:
-      return "run";
-    case 1017:
-      return "batteryLife";
     case 1091:
       return "pose";
-    case 2010:
-      return "stair";
     default:
       return "idle";
   }
 }
 
-// Values as texts: the vendor's client reads no others.
+// Each value is the text of an object of its own. 0 or 1 are what the clients' parsers have in
+// common for flags: Python's eval() knows no `true`.
 ServiceReply GiveGo2State(const ServiceCall& call) {
-  constexpr int kEconomic = 1017;
+  constexpr int kGesture = 1006, kEconomic = 1017;
   const robot::MotionState& state = call.owner->state();
+  const auto text = [](const nlohmann::json& value) {
+    return nlohmann::json{{"data", value}}.dump();
+  };
   const nlohmann::json reply = {
-      {"state", std::string(StateWord(state.id))},
-      {"bodyHeight", nlohmann::json(state.body_height).dump()},
-      {"speedLevel", AsText(call.settings->at("speed_level"))},
-      {"gait", std::to_string(state.gait)},
-      {"continuousGait", state.keeps_stepping ? "true" : "false"},
-      {"economicGait", state.id == kEconomic ? "true" : "false"},
+      {"state", text(StateWord(state.id))},
+      {"bodyHeight", text(state.body_height)},
+      {"footRaiseHeight", text(state.foot_raise)},
+      {"speedLevel", text(call.settings->at("speed_level"))},
+      {"gait", text(state.gait)},
+      {"joystick", text(call.owner->onboard().sticks ? 1 : 0)},
+      {"dance", text(state.id == kGesture ? 1 : 0)},
+      {"continuousGait", text(state.keeps_stepping ? 1 : 0)},
+      {"economicGait", text(state.id == kEconomic ? 1 : 0)},
   };
   return {.data = reply.dump()};
 }
+
+// Of api 1034.
+constexpr std::string_view kState =
+    "state, bodyHeight, footRaiseHeight, speedLevel, gait, joystick, dance, continuousGait, "
+    "economicGait, always all of them; each is the text of an object with `data`";
 
 }  // namespace
 
@@ -130,9 +138,8 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
        NotPlayed(1031, "FrontJump", kSdk),
        NotPlayed(1032, "FrontPounce", kSdk),
        gesture(1036, "Heart", To<kHeart>, "draws a heart with a paw, on three legs"),
-       Row(1034, "GetState", {}, Special{&GiveGo2State, true},
-           "state, bodyHeight, speedLevel, gait, continuousGait, economicGait, each as text",
-           "[seen] listed of firmware 1.1.7; its words are the app's, its form is assumed"),
+       Row(1034, "GetState", {}, Special{&GiveGo2State, true}, kState,
+           "[seen] listed of firmware 1.1.7; form and keys as below; that they stayed is assumed"),
        {.id = 1049,
         .name = "WalkStair",
         .fields = {Flag()},
@@ -166,9 +173,9 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
        NotPlayed(2058, "SwitchAvoidMode", kSdk),
        NotPlayed(2059, "RageMode", kApp, {Flag()})},
       {{"auto_recovery", "false"}, {"speed_level", "0"}},
-      "4201 when the present state does not allow it (assumed), 4205 for what is not "
-      "played. Ids that firmware 1.1.6 removed (1011 to 1014, 1018, 1019, 1021, 1024, 1025) "
-      "answer 3203. Move's range is the vendor's; the part of it that is walked: docs/walking.md.");
+      "4201 when the present state does not allow it (assumed), 4205 for what is not played. Ids "
+      "that firmware 1.1.6 removed (1011 to 1014, 1018, 1019, 1021, 1024, 1025) answer 3203. "
+      "Move's range is the vendor's; the part of it that is walked: docs/dev/walking.md.");
 }
 
 ServiceTable OldGo2SportTable(const MoveLimits& limits) {
@@ -204,9 +211,9 @@ ServiceTable OldGo2SportTable(const MoveLimits& limits) {
        .effect = AskGoal{.goal = To<kWiggleHips>, .not_now = kPostureUnfit},
        .does = "swings its rump from side to side",
        .source = kOld},
-      Row(1034, "GetState", {}, Special{&GiveGo2State, true},
-          "state, bodyHeight, speedLevel, gait, continuousGait, economicGait, each as text",
-          "[sdk] go2/sport as of 2024; its form is assumed"),
+      Row(1034, "GetState", {}, Special{&GiveGo2State, true}, kState,
+          "[docs] Go2 sports services: keys; [seen] form, three clients that parse it; gait and "
+          "flags as numbers are assumed"),
       Row(1035, "EconomicGait", {Flag()}, AskGoal{ToIf<kEconomic>},
           "that gait: slower and lower steps; false: the default one", kOld)};
   std::ranges::move(rows, std::back_inserter(table.rows));

@@ -138,7 +138,7 @@ ApiRow SetTask(const Loco& l, std::int64_t id, ServiceReply (*answer)(const Serv
 }
 
 ServiceReply LeaveToUser(const ServiceCall& call) {
-  call.owner->SetUserControl(true);
+  call.owner->onboard().user_control = true;
   return {};
 }
 
@@ -146,7 +146,7 @@ ServiceReply LeaveToUser(const ServiceCall& call) {
 ServiceReply TakeBack(const ServiceCall& call) {
   constexpr int kPassive = 1, kWalkRun = 2;
   const int mode = call.parameter.at("data").get<int>();
-  call.owner->SetUserControl(false);
+  call.owner->onboard().user_control = false;
   if (mode == kPassive) call.owner->Ask(goal::Damp{});
   if (mode == kWalkRun &&
       call.owner->Ask(goal::BalanceStand{}) == authority::MotionVerdict::kUnable) {
@@ -184,8 +184,13 @@ ServiceReply SetR1Id(const ServiceCall& call) {
   return {.code = 7301};
 }
 
-// What two R1s answered in every state.
-ServiceReply RefuseR1Velocity(const ServiceCall&) { return {.code = 127}; }
+// Two R1s answered so in every state; one of them walked all the same.
+ServiceReply MoveR1(const ServiceCall& call) {
+  const auto velocity = call.parameter.at("velocity").get<std::array<double, 3>>();
+  const auto duration = call.parameter.at("duration").get<double>();
+  call.owner->Ask(goal::Move{velocity[0], velocity[1], velocity[2], duration});
+  return {.code = 127};
+}
 
 // The vendor's C++ client parses the body of a failure too and would terminate on an empty one.
 ServiceReply GiveNoOdometry(const ServiceCall&) {
@@ -281,8 +286,8 @@ ServiceTable R1SportTable() {
        {.id = 7105,
         .name = "SetVelocity",
         .fields = {Numbers("velocity", 3), Number("duration", 0)},
-        .effect = Special{&RefuseR1Velocity},
-        .does = "127 in every state",
+        .effect = Special{&MoveR1},
+        .does = "walks; 127 in every state",
         .source = "[sdk] r1/loco; [seen] 127 on two R1s, one of which walked all the same; 3202",
         .parameter_code = kRpcServerInternal},
        SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it")},

@@ -1,6 +1,6 @@
 // Declares the tables of the vendor's services. Sources in the rows: [sdk] a header of
 // unitree_sdk2, commit 21d0a3b; [py] unitree_sdk2_python, commit 37116c5; [docs] the vendor's
-// developer pages; [seen] on a real robot, by others (docs/sources.md); assumed. Private to
+// developer pages; [seen] on a real robot, by others (docs/dev/sources.md); assumed. Private to
 // services/.
 #pragma once
 

@@ -11,13 +11,14 @@ import concurrent.futures
 import importlib
 import inspect
 import json
+import time
 
 from unitree_sdk2py.rpc.client import Client
 
 from sdk_session import arguments
 
 PCM = bytes(3200)  # 0.1 s of silence
-# By table of docs/services.md: its service, and the vendor's client of it.
+# By table of docs/reference/services.md: its service, and the vendor's client of it.
 CLIENTS = {
     "sport_go2": ("sport", "go2.sport.sport_client.SportClient"),
     "sport_go2w": ("sport", "go2.sport.sport_client.SportClient"),
@@ -193,7 +194,7 @@ def class_of(path):
 
 def new_client(kind):
     client = kind()
-    client.SetTimeout(3.0)
+    client.SetTimeout(10.0)
     client.Init()
     return client
 
@@ -284,6 +285,7 @@ def main():
         report["volume_for_another"] = new_client(class_of(paths["vui"])).GetVolume()
     report["calls"]["motion_switcher"] = walk(switcher, "motion_switcher", nothing)
     damped_by.SetTimeout(0.5)
+    time.sleep(0.5)  # until the client knows that nobody reads
     report["after_release"] = damp()
     print(json.dumps(report))
 

@@ -8,8 +8,6 @@ in its second half, by both; and how fast it still was in the end.
 
 import json
 import math
-import os
-import subprocess
 import time
 
 from unitree_sdk2py.b2.sport.sport_client import SportClient as B2SportClient
@@ -19,6 +17,7 @@ from unitree_sdk2py.go2.sport.sport_client import SportClient as Go2SportClient
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 from unitree_sdk2py.rpc.client import Client
 
+from base_truth import Truth, way_from
 from sdk_session import arguments
 
 WAYS = [("ahead", (0.5, 0.0, 0.0)), ("left", (0.0, 0.3, 0.0)), ("turn", (0.0, 0.0, 0.5))]  # m/s, rad/s
@@ -45,7 +44,7 @@ class A2SportClient(Client):
         return self._Call(1008, json.dumps({"x": vx, "y": vy, "z": vyaw}))[0]
 
 
-CLIENTS = {  # by table of docs/services.md
+CLIENTS = {  # by table of docs/reference/services.md
     "sport_go2": Go2SportClient,
     "sport_go2w": Go2SportClient,
     "sport_b2": B2SportClient,
@@ -76,28 +75,6 @@ class Feed:
 
     def place(self):
         return [*self.state.position[:2], self.state.imu_state.rpy[2]]
-
-
-class Truth:
-    """The base in the simulation, at a moment of its own: asked for, and read when it is needed."""
-
-    def __init__(self):
-        ask = [os.environ["UNDERSTUDY"], "ctl", "snapshot", "--parts", "qpos"]
-        self._asked = subprocess.Popen(ask, stdout=subprocess.PIPE, text=True)
-
-    def read(self):
-        """Simulated time [s]; x, y [m] and yaw [rad] of the base."""
-        said, _ = self._asked.communicate()
-        snapshot = json.loads(said)
-        px, py, _, w, x, y, z = snapshot["qpos"][:7]
-        return snapshot["time"], [px, py, math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))]
-
-
-def way_from(before, now):
-    """Ahead, left [m] and turned [rad], seen from before."""
-    x, y, yaw = (b - a for a, b in zip(before, now))
-    c, s = math.cos(before[2]), math.sin(before[2])
-    return [c * x + s * y, c * y - s * x, math.remainder(yaw, 2 * math.pi)]
 
 
 def go(feed, command):

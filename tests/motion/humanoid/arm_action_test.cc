@@ -7,8 +7,6 @@
 namespace understudy::motion {
 namespace {
 
-constexpr auto kTaken = authority::MotionVerdict::kTaken;
-
 class ArmActionTest : public test::MujocoTest {
  protected:
   double q(const std::string& joint) const {
@@ -35,7 +33,7 @@ TEST_F(ArmActionTest, RestsAsTheRobotStands) {
 
 TEST_F(ArmActionTest, KnowsTheNumbersOfTheVendorsList) {
   for (const int id : {11, 12, 13, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 33}) {
-    EXPECT_NE(FindArmAction(id), nullptr) << id;
+    EXPECT_NE(FindArmSequence(id), nullptr) << id;
   }
   for (const int id : {1, 28, 29, 30, 34, 36}) {
     EXPECT_EQ(player_.Begin(id), authority::MotionVerdict::kUnable) << id;
@@ -57,7 +55,7 @@ TEST_F(ArmActionTest, HoldsUntilTheSameNumberIsAskedAgain) {
   for (int i = 0; i < 3000; ++i) player_.Advance(0.001);
   EXPECT_TRUE(player_.holding());
   EXPECT_EQ(player_.Begin(26), authority::MotionVerdict::kNotNow);
-  EXPECT_EQ(player_.Begin(27), kTaken);
+  EXPECT_EQ(player_.Begin(27), Verdict::kTaken);
   EXPECT_FALSE(player_.holding());
   for (int i = 0; i < 3000; ++i) player_.Advance(0.001);
   EXPECT_EQ(player_.id(), 0);
@@ -73,7 +71,7 @@ TEST_F(ArmActionTest, LetsGoByItselfAfterTwentySeconds) {
 
 TEST_F(ArmActionTest, TakesAReleaseOfNothing) {
   EXPECT_EQ(player_.told(), 0);
-  EXPECT_EQ(player_.Begin(99), kTaken);
+  EXPECT_EQ(player_.Begin(99), Verdict::kTaken);
   EXPECT_EQ(player_.told(), 99);
   EXPECT_EQ(player_.id(), 0);
 }

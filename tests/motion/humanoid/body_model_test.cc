@@ -64,7 +64,7 @@ class BodyModelTest : public test::MujocoTest, public testing::WithParamInterfac
   }
 
   config::Config config_ = ConfigOf(GetParam());
-  const robot::RobotSpec& spec_ = config_.robot;
+  const robot::RobotSpec& spec_ = config_.robots[0].spec;
   physics::World world_ = PhysicsOf(config_);
   mjcf::DataHandle data_{mj_makeData(&world_.model())};
   BodyModel body_{world_.model(), spec_};

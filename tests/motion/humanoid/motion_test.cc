@@ -10,16 +10,14 @@
 namespace understudy::motion {
 namespace {
 
-constexpr auto kTaken = authority::MotionVerdict::kTaken;
 constexpr auto kIgnored = authority::MotionVerdict::kIgnored;
-constexpr auto kNotNow = authority::MotionVerdict::kNotNow;
 
 class HumanoidMotionTest : public test::MujocoTest {
  protected:
   void Balance() {
     rig_.Start("standing");
     rig_.Run(1);
-    ASSERT_EQ(rig_.SetFsm(501), kTaken);
+    ASSERT_EQ(rig_.SetFsm(501), Verdict::kTaken);
     rig_.Run(0.5);
   }
   robot::MotionState state() const { return rig_.state(); }
@@ -60,13 +58,13 @@ TEST_F(HumanoidMotionTest, BrakesInDamping) {
 TEST_F(HumanoidMotionTest, ReachesLockStandInTheAirWithinFiveSecondsCalmly) {
   rig_.Start("hanging");
   rig_.SetFsm(1);
-  ASSERT_EQ(rig_.SetFsm(4), kTaken);
+  ASSERT_EQ(rig_.SetFsm(4), Verdict::kTaken);
   double fastest = 0;
   rig_.watch = [&] { fastest = std::max(fastest, rig_.fastest()); };
   rig_.Run(1);
   EXPECT_EQ(state().mode, 1);
   EXPECT_EQ(state().progress, 1);
-  EXPECT_EQ(rig_.SetFsm(501), kNotNow);
+  EXPECT_EQ(rig_.SetFsm(501), Verdict::kNotNow);
   rig_.Run(4);
   EXPECT_EQ(state().mode, 2) << "its feet carry nothing";
   EXPECT_LT(fastest, 0.7);
@@ -81,12 +79,12 @@ TEST_F(HumanoidMotionTest, ReachesLockStandInTheAirWithinFiveSecondsCalmly) {
 TEST_F(HumanoidMotionTest, SquatsAndRisesWithLockedJoints) {
   rig_.Start("standing");
   rig_.Run(1);
-  ASSERT_EQ(rig_.SetFsm(2), kTaken);
+  ASSERT_EQ(rig_.SetFsm(2), Verdict::kTaken);
   rig_.Run(5);
   EXPECT_EQ(state().mode, 0);
   EXPECT_LT(rig_.height(), 0.55);
   EXPECT_LT(rig_.world().robot().tilt(), 0.4);
-  ASSERT_EQ(rig_.SetFsm(4), kTaken);
+  ASSERT_EQ(rig_.SetFsm(4), Verdict::kTaken);
   rig_.Run(5);
   EXPECT_TRUE(rig_.standing());
 }
@@ -94,27 +92,27 @@ TEST_F(HumanoidMotionTest, SquatsAndRisesWithLockedJoints) {
 TEST_F(HumanoidMotionTest, LocksItsJointsAsOnAChair) {
   rig_.Start("hanging");
   rig_.SetFsm(1);
-  ASSERT_EQ(rig_.SetFsm(3), kTaken);
+  ASSERT_EQ(rig_.SetFsm(3), Verdict::kTaken);
   rig_.Run(5);
   EXPECT_EQ(rig_.state().id, 3);
   EXPECT_NEAR(rig_.q("left_hip_pitch_joint"), -1.5, 0.05);
   EXPECT_NEAR(rig_.q("left_knee_joint"), 1.5, 0.05);
 }
 
-// docs/sources.md#g1-states: 6 to 7 s on the way.
+// docs/dev/sources.md#g1-states: 6 to 7 s on the way.
 TEST_F(HumanoidMotionTest, SquatsBalancedAndRisesToWhereItWas) {
   Balance();
-  ASSERT_EQ(rig_.SetFsm(706), kTaken);
+  ASSERT_EQ(rig_.SetFsm(706), Verdict::kTaken);
   rig_.Run(1);
   EXPECT_EQ(state().mode, 1);
-  EXPECT_EQ(Act(26), kNotNow);
+  EXPECT_EQ(Act(26), Verdict::kNotNow);
   rig_.Run(4.9);
-  EXPECT_EQ(rig_.SetFsm(706), kNotNow) << "on the way";
+  EXPECT_EQ(rig_.SetFsm(706), Verdict::kNotNow) << "on the way";
   rig_.Run(1.1);
   EXPECT_EQ(rig_.state().id, 706);
   EXPECT_EQ(state().mode, 1) << "706 is never told at rest";
   EXPECT_LT(rig_.height(), 0.55);
-  ASSERT_EQ(rig_.SetFsm(706), kTaken);
+  ASSERT_EQ(rig_.SetFsm(706), Verdict::kTaken);
   rig_.Run(5.9);
   EXPECT_EQ(rig_.state().id, 706);
   rig_.Run(1.1);
@@ -124,7 +122,7 @@ TEST_F(HumanoidMotionTest, SquatsBalancedAndRisesToWhereItWas) {
 
 TEST_F(HumanoidMotionTest, IsDampedNineSecondsAfterItWasToldToSquat) {
   Balance();
-  ASSERT_EQ(rig_.SetFsm(706), kTaken);
+  ASSERT_EQ(rig_.SetFsm(706), Verdict::kTaken);
   rig_.Run(8.9);
   EXPECT_EQ(rig_.state().id, 706);
   rig_.Run(0.2);
@@ -133,7 +131,7 @@ TEST_F(HumanoidMotionTest, IsDampedNineSecondsAfterItWasToldToSquat) {
   EXPECT_LT(rig_.height(), 0.55) << "stays down";
 }
 
-// unitree_g1_vibes and phanthymotus-driver as docs/sources.md has them.
+// unitree_g1_vibes and phanthymotus-driver as docs/dev/sources.md has them.
 TEST_F(HumanoidMotionTest, TellsThatItsFeetCarryNothingUntilTheCraneHasSetItDown) {
   rig_.Start("hanging");
   EXPECT_EQ(state().mode, 0) << "limp";
@@ -144,7 +142,7 @@ TEST_F(HumanoidMotionTest, TellsThatItsFeetCarryNothingUntilTheCraneHasSetItDown
   rig_.robot().crane().Lower(0.4);
   rig_.Run(4.5);
   EXPECT_EQ(state().mode, 0);
-  ASSERT_EQ(rig_.SetFsm(501), kTaken);
+  ASSERT_EQ(rig_.SetFsm(501), Verdict::kTaken);
   rig_.Run(1);
   EXPECT_EQ(state().mode, 0);
 }
@@ -154,20 +152,22 @@ TEST_F(HumanoidMotionTest, KnowsTheWalkOfItsWaistAndTheOldOne) {
   rig_.Run(1.5);
   EXPECT_EQ(rig_.SetFsm(500), authority::MotionVerdict::kUnknown) << "a free waist's is 501";
   EXPECT_EQ(state().id, 4);
-  EXPECT_EQ(rig_.SetFsm(200), kTaken);
+  EXPECT_EQ(rig_.SetFsm(200), Verdict::kTaken);
   EXPECT_EQ(state().id, 200);
-  EXPECT_EQ(rig_.SetFsm(501), kTaken);
+  EXPECT_EQ(rig_.SetFsm(501), Verdict::kTaken);
   EXPECT_EQ(state().id, 501);
 }
 
-TEST(HumanoidWaistTest, ALockedWaistWalksIn500) {
+TEST(HumanoidWaistTest, ALockedWaistWalksIn500And801) {
   HumanoidRig rig("g1 6");
   rig.Start("standing");
   rig.Run(1.5);
   EXPECT_EQ(rig.SetFsm(501), authority::MotionVerdict::kUnknown);
-  EXPECT_EQ(rig.SetFsm(801), authority::MotionVerdict::kUnable);
-  EXPECT_EQ(rig.SetFsm(500), kTaken);
+  EXPECT_EQ(rig.SetFsm(802), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig.SetFsm(500), Verdict::kTaken);
   EXPECT_EQ(rig.state().id, 500);
+  EXPECT_EQ(rig.SetFsm(801), Verdict::kTaken);
+  EXPECT_EQ(rig.state().id, 801);
 }
 
 TEST(HumanoidFirmwareTest, BeforeOneFourAG1WalksIn200) {
@@ -176,7 +176,7 @@ TEST(HumanoidFirmwareTest, BeforeOneFourAG1WalksIn200) {
   rig.Run(1.5);
   EXPECT_EQ(rig.SetFsm(501), authority::MotionVerdict::kUnknown);
   EXPECT_EQ(rig.SetFsm(706), authority::MotionVerdict::kUnknown);
-  EXPECT_EQ(rig.Ask(goal::BalanceStand{}), kTaken);
+  EXPECT_EQ(rig.Ask(goal::BalanceStand{}), Verdict::kTaken);
   EXPECT_EQ(rig.state().id, 200);
 }
 
@@ -185,7 +185,7 @@ TEST(HumanoidArmsTest, AnR1TellsAStateOfItsOwnWhileArmSdkHasAWeight) {
   HumanoidRig rig("r1");
   rig.Start("standing");
   rig.Run(1.5);
-  ASSERT_EQ(rig.SetFsm(811), kTaken);
+  ASSERT_EQ(rig.SetFsm(811), Verdict::kTaken);
   rig.Run(0.5);
   EXPECT_EQ(rig.state().id, 811);
   robot::RobotCommand arms{.motors = std::vector<robot::MotorCommand>(rig.spec().motors.size())};
@@ -211,9 +211,9 @@ TEST_F(HumanoidMotionTest, TakesZeroTorqueOnItsFeetAndStaysAsItIs) {
 
 TEST_F(HumanoidMotionTest, GoesLimpByWayOfDamping) {
   Balance();
-  EXPECT_EQ(rig_.SetFsm(1), kTaken);
+  EXPECT_EQ(rig_.SetFsm(1), Verdict::kTaken);
   EXPECT_EQ(rig_.state().id, 1);
-  EXPECT_EQ(rig_.SetFsm(0), kTaken);
+  EXPECT_EQ(rig_.SetFsm(0), Verdict::kTaken);
   EXPECT_EQ(rig_.state().id, 0);
 }
 
@@ -226,30 +226,32 @@ TEST_F(HumanoidMotionTest, DampsItsFall) {
 
 TEST_F(HumanoidMotionTest, ListensToTheGoalsOfARemote) {
   rig_.Start("hanging");
-  EXPECT_EQ(rig_.Ask(goal::StandUp{}), kNotNow);
-  EXPECT_EQ(rig_.Ask(goal::Damp{}), kTaken);
-  EXPECT_EQ(rig_.Ask(goal::ZeroTorque{}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandUp{}), Verdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::Damp{}), Verdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::ZeroTorque{}), Verdict::kTaken);
   rig_.Ask(goal::Damp{});
-  EXPECT_EQ(rig_.Ask(goal::BalanceStand{}), kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::BalanceStand{}), Verdict::kNotNow);
   EXPECT_EQ(rig_.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kUnable);
-  EXPECT_EQ(rig_.Ask(goal::Sit{}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Sit{}), Verdict::kTaken);
   EXPECT_EQ(rig_.state().id, 3);
   rig_.Run(4.1);
-  EXPECT_EQ(rig_.Ask(goal::RiseSit{}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::RiseSit{}), Verdict::kTaken);
   EXPECT_EQ(rig_.state().id, 4);
   rig_.Run(4.1);
-  EXPECT_EQ(rig_.Ask(goal::StandDown{}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), Verdict::kTaken);
   EXPECT_EQ(rig_.state().id, 2);
   EXPECT_EQ(rig_.Ask(goal::Gesture{}), authority::MotionVerdict::kUnknown);
 }
 
-TEST_F(HumanoidMotionTest, DoesNotWalk) {
-  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), kNotNow);
+TEST_F(HumanoidMotionTest, WalksOnlyWhereItBalances) {
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3, 0, 0, 1}), Verdict::kNotNow);
   Balance();
-  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kUnable);
-  EXPECT_EQ(rig_.Ask(goal::StopMove{}), kTaken);
-  EXPECT_EQ(rig_.Ask(goal::SetBalanceMode{0}), kTaken);
-  EXPECT_EQ(rig_.Ask(goal::SetBalanceMode{1}), authority::MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3, 0, 0, 1}), Verdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StopMove{}), Verdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Move{std::nan("")}), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(goal::SetBalanceMode{2}), authority::MotionVerdict::kUnable);
+  ASSERT_EQ(rig_.SetFsm(706), Verdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3, 0, 0, 1}), Verdict::kNotNow);
 }
 
 TEST_F(HumanoidMotionTest, RefusesValuesThatAreNotFinite) {
@@ -262,14 +264,14 @@ TEST(HumanoidHeightTest, StandsLowerAndHigher) {
   HumanoidRig rig(ConfigOf("g1", {"robot.motion.humanoid.stand_heights=true"}));
   rig.Start("standing");
   rig.Run(1);
-  ASSERT_EQ(rig.SetFsm(501), kTaken);
+  ASSERT_EQ(rig.SetFsm(501), Verdict::kTaken);
   rig.Run(0.5);
   const double high = rig.height();
-  ASSERT_EQ(rig.Ask(goal::SetStandHeight{0}), kTaken);
+  ASSERT_EQ(rig.Ask(goal::SetStandHeight{0}), Verdict::kTaken);
   rig.Run(2.5);
   EXPECT_LT(rig.height(), high - 0.05);
   EXPECT_NEAR(rig.state().body_height, rig.height(), 0.005);
-  ASSERT_EQ(rig.Ask(goal::SetStandHeight{5}), kTaken);
+  ASSERT_EQ(rig.Ask(goal::SetStandHeight{5}), Verdict::kTaken);
   rig.Run(2.5);
   EXPECT_NEAR(rig.height(), high, 0.005);
 }
@@ -285,10 +287,10 @@ TEST_F(HumanoidMotionTest, TakesAStandHeightAndStaysAsItIs) {
 
 TEST_F(HumanoidMotionTest, WavesAndLetsItsArmDown) {
   Balance();
-  EXPECT_EQ(Act(26), kTaken);
+  EXPECT_EQ(Act(26), Verdict::kTaken);
   EXPECT_EQ(state().arm_action, 26);
-  EXPECT_EQ(Act(27), kNotNow);
-  EXPECT_EQ(Act(99), kNotNow);
+  EXPECT_EQ(Act(27), Verdict::kNotNow);
+  EXPECT_EQ(Act(99), Verdict::kNotNow);
   rig_.Run(2);
   EXPECT_LT(rig_.q("right_shoulder_pitch_joint"), -2);
   EXPECT_EQ(state().progress, 1);
@@ -302,7 +304,7 @@ TEST_F(HumanoidMotionTest, StopsAnActionHalfway) {
   Balance();
   Act(26);
   rig_.Run(1);
-  EXPECT_EQ(rig_.Ask(goal::StopArmAction{}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StopArmAction{}), Verdict::kTaken);
   rig_.Run(2);
   EXPECT_EQ(state().arm_action, 0);
   EXPECT_EQ(state().arm_told, 99) << "stays until the next action";
@@ -315,9 +317,9 @@ TEST_F(HumanoidMotionTest, StopsAnActionHalfway) {
 
 TEST_F(HumanoidMotionTest, ActsOnlyWhileItBalances) {
   rig_.Start("standing");
-  EXPECT_EQ(Act(26), kNotNow);
+  EXPECT_EQ(Act(26), Verdict::kNotNow);
   EXPECT_EQ(Act(77), authority::MotionVerdict::kUnknown);
-  EXPECT_EQ(Act(99), kNotNow);
+  EXPECT_EQ(Act(99), Verdict::kNotNow);
 }
 
 TEST_F(HumanoidMotionTest, StandsWhenPushedAslant) {
@@ -333,17 +335,17 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
   HumanoidRig rig(GetParam(), 0.002);
   rig.Start("standing");
   rig.Run(1);
-  ASSERT_EQ(rig.SetFsm(rig.spec().motion.humanoid.balance.front()), kTaken);
+  ASSERT_EQ(rig.SetFsm(rig.spec().motion.humanoid.balance.front()), Verdict::kTaken);
   double deepest = 0, tilt = 0;
   rig.watch = [&] {
     deepest = std::max(deepest, rig.DeepestSelfContact());
     tilt = std::max(tilt, rig.world().robot().tilt());
   };
   for (int id = 11; id <= 33; ++id) {
-    const ArmAction* action = FindArmAction(id);
+    const ArmSequence* action = FindArmSequence(id);
     if (action == nullptr) continue;
     SCOPED_TRACE(id);
-    ASSERT_EQ(rig.Ask(goal::ArmAction{id}), kTaken);
+    ASSERT_EQ(rig.Ask(goal::ArmAction{id}), Verdict::kTaken);
     double duration = 0.4;
     for (const ArmKey& key : action->keys) duration += key.duration;
     rig.Run(duration);
@@ -352,7 +354,7 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
       const ArmPose* right = action->keys.back().right;
       EXPECT_NEAR(rig.q("right_shoulder_pitch_joint"), (*right)[0], 0.1);
       EXPECT_NEAR(rig.q("right_elbow_joint"), (*right)[3], 0.1);
-      ASSERT_EQ(rig.Ask(goal::ArmAction{id}), kTaken);
+      ASSERT_EQ(rig.Ask(goal::ArmAction{id}), Verdict::kTaken);
       rig.Run(1.5);
     }
     ASSERT_EQ(rig.state().arm_action, 0);

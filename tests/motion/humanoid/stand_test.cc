@@ -142,12 +142,12 @@ class HumanoidDrivesTest : public test::MujocoTest, public testing::WithParamInt
 
 TEST_P(HumanoidDrivesTest, StandsWithOtherDrives) {
   config::Config config = HumanoidConfig("g1", 0.002);
-  config.robot.dynamics.use = robot::DynamicsSource::kFitted;
-  for (const robot::MotorSpec& motor : config.robot.motors) {
+  config.robots[0].spec.dynamics.use = robot::DynamicsSource::kFitted;
+  for (const robot::MotorSpec& motor : config.robots[0].spec.motors) {
     const bool ankle = motor.joint.find("ankle") != std::string::npos;
-    config.robot.dynamics.fitted.push_back({.slots = {motor.slot},
-                                            .frictionloss = GetParam().friction,
-                                            .kd_share = ankle ? GetParam().damping : 1});
+    config.robots[0].spec.dynamics.fitted.push_back({.slots = {motor.slot},
+                                                     .frictionloss = GetParam().friction,
+                                                     .kd_share = ankle ? GetParam().damping : 1});
   }
   HumanoidRig rig(config);
   rig.SetDown(501);

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStep = 0.002;  // s
-constexpr Gait kGait{.period = 0.5, .duty = 0.6};
+constexpr GaitTiming kGait{.period = 0.5, .duty = 0.6};
 
 TEST(GaitClockTest, DiagonalPairsStepInTurn) {
   GaitClock clock;
@@ -73,7 +73,7 @@ TEST(GaitClockTest, ThePairThatLiftsFirstIsTheOneThatHasStoodLongest) {
 }
 
 // One foot after the other.
-constexpr Gait kWalk{.period = 1, .duty = 0.8, .offsets = {0.75, 0.25, 0.5, 0}};
+constexpr GaitTiming kWalk{.period = 1, .duty = 0.8, .offsets = {0.75, 0.25, 0.5, 0}};
 
 int Standing(const GaitClock& clock) {
   int feet = 0;

@@ -15,9 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = 0.017453;  // rad
-constexpr int kLocked = 1002;         // error_code of the vendor's sport service page
-
 // The vendor's page of the Go2-W.
 class WheeledMotionTest : public testing::TestWithParam<std::string> {
  protected:
@@ -65,7 +62,8 @@ TEST_F(Go2MotionTest, SaysAllByAnglesAsTheRealOneDoes) {
   }
 }
 
-// docs/sources.md#go2-captures: 0.78 to 0.82 and -1.43 to -1.48 rad in a lock, hips within 0.06.
+// docs/dev/sources.md#go2-captures: 0.78 to 0.82 and -1.43 to -1.48 rad in a lock, hips within
+// 0.06.
 TEST_F(Go2MotionTest, LocksInThePoseThatWasSeen) {
   rig_.StandUp();
   for (std::size_t i = 0; i < 12; i += 3) {
@@ -89,6 +87,33 @@ TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
   EXPECT_EQ(rig_.Ask(goal::Move{0.5, 0, 0, 1}), authority::MotionVerdict::kTaken);
   rig_.Run(2);
   EXPECT_GT(rig_.world().robot().base().p_WB.x(), x + 0.2);
+}
+
+// Its only way up of a product for navigation (tinynav): both orders at once.
+TEST_F(Go2MotionTest, BalancesAfterStandUpAndAtOnceBalanceStand) {
+  for (const double later : {0.0, 0.3, 1.2}) {  // s: as it folds its legs, and as it rises
+    rig_.Start("lying");
+    rig_.Run(0.2);
+    EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
+    rig_.Run(later);
+    EXPECT_EQ(rig_.Ask(goal::BalanceStand{}), authority::MotionVerdict::kTaken);
+    EXPECT_TRUE(rig_.RunUntil(kBalance, 4)) << later;
+  }
+}
+
+TEST_F(Go2MotionTest, DoesOnceItStandsWhatItIsAskedForOnTheWay) {
+  rig_.Start("lying");
+  rig_.Run(0.2);
+  EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kTaken);
+  EXPECT_TRUE(rig_.RunUntil(kLocked, 1)) << "it is rising";
+  rig_.Run(6);
+  EXPECT_LT(rig_.height(), 0.15) << "it lies again";
+
+  EXPECT_EQ(rig_.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken);
+  ASSERT_TRUE(rig_.RunUntil(kLocked, 8)) << "it is rising to a balanced stand";
+  EXPECT_EQ(rig_.Ask(goal::Gesture{}), authority::MotionVerdict::kTaken);
+  EXPECT_TRUE(rig_.RunUntil(kGesture, 8));
 }
 
 TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {

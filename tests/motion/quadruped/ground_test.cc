@@ -13,8 +13,6 @@
 namespace understudy::motion {
 namespace {
 
-constexpr double kDegree = 0.017453;  // rad
-
 class QuadrupedGroundTest : public testing::TestWithParam<std::string> {
  protected:
   // A plane whose height grows by these slopes along x and y.

@@ -33,13 +33,14 @@ class QuadrupedLegTest : public testing::TestWithParam<std::string> {
 
 TEST_P(QuadrupedLegTest, PutsTheFootWhereTheModelHasIt) {
   for (const Vector3d& q : kAngles) {
-    robot::PoseSpec pose = config_.robot.standing;
+    robot::PoseSpec pose = config_.robots[0].spec.standing;
     for (std::size_t i = 0; i < 12; ++i) pose.q[i] = q[static_cast<Eigen::Index>(i % 3)];
     pose.height = 2;
     robot_.Reset(pose);
     for (std::size_t leg = 0; leg < 4; ++leg) {
       const mjModel& model = world_.model();
-      const int geom = mj_name2id(&model, mjOBJ_GEOM, config_.robot.feet[leg].geoms[0].c_str());
+      const int geom =
+          mj_name2id(&model, mjOBJ_GEOM, config_.robots[0].spec.feet[leg].geoms[0].c_str());
       const Vector3d there(world_.data().geom_xpos + 3 * geom);
       const Vector3d foot = QuadrupedLeg(figures_.legs[leg]).Place(q).foot + robot_.base().p_WB;
       EXPECT_LT((foot - there).norm(), 1e-6) << "leg " << leg;
@@ -104,25 +105,31 @@ TEST_P(QuadrupedLegTest, HoldsItsOwnWeight) {
 
 TEST_P(QuadrupedLegTest, HasTheInertiaThatTheModelHas) {
   const mjModel& model = world_.model();
-  std::vector<mjtNum> full(static_cast<std::size_t>(model.nv) * static_cast<std::size_t>(model.nv));
+  const auto size = static_cast<std::size_t>(model.nv);
+  std::vector<mjtNum> full(size * size);
   for (const Vector3d& q : kAngles) {
-    robot::PoseSpec pose = config_.robot.standing;
+    robot::PoseSpec pose = config_.robots[0].spec.standing;
     for (std::size_t i = 0; i < 12; ++i) pose.q[i] = q[static_cast<Eigen::Index>(i % 3)];
     pose.height = 2;
     robot_.Reset(pose);
     world_.BeginStep();
-    mj_fullM(&model, full.data(), world_.data().qM);
+    for (std::size_t i = 0; i < size; ++i) {
+      std::vector<mjtNum> unit(size);
+      unit[i] = 1;
+      mj_mulM(&model, &world_.data(), &full[i * size], unit.data());
+    }
     for (std::size_t leg = 0; leg < 4; ++leg) {
       const QuadrupedLeg chain(figures_.legs[leg]);
       const Matrix3d mass = chain.MassMatrix(chain.Place(q));
       const auto dof = [&](int i) {
         const std::string& joint =
-            config_.robot.motors[3 * leg + static_cast<std::size_t>(i)].joint;
+            config_.robots[0].spec.motors[3 * leg + static_cast<std::size_t>(i)].joint;
         return model.jnt_dofadr[mj_name2id(&model, mjOBJ_JOINT, joint.c_str())];
       };
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-          const mjtNum there = full[static_cast<std::size_t>(dof(i) * model.nv + dof(j))];
+          const mjtNum there =
+              full[static_cast<std::size_t>(dof(i)) * size + static_cast<std::size_t>(dof(j))];
           EXPECT_NEAR(mass(i, j), there, 1e-3 * mass(i, i)) << "leg " << leg;
         }
       }
@@ -132,7 +139,7 @@ TEST_P(QuadrupedLegTest, HasTheInertiaThatTheModelHas) {
 
 TEST_P(QuadrupedLegTest, LosesByFrictionWhatTheModelsJointsLose) {
   const mjModel& model = world_.model();
-  const int joint = mj_name2id(&model, mjOBJ_JOINT, config_.robot.motors[2].joint.c_str());
+  const int joint = mj_name2id(&model, mjOBJ_JOINT, config_.robots[0].spec.motors[2].joint.c_str());
   const int dof = model.jnt_dofadr[joint];
   const QuadrupedLeg leg(figures_.legs[0]);
   EXPECT_NEAR(leg.FrictionTorque({0, 0, 5}).z(),
@@ -144,7 +151,8 @@ TEST_P(QuadrupedLegTest, LosesByFrictionWhatTheModelsJointsLose) {
 TEST_P(QuadrupedLegTest, KnowsItselfAsItWasBuilt) {
   mjcf::ModelHandle heavier = mjcf::CopyOf(world_.model());
   for (int body = 0; body < heavier->nbody; ++body) heavier->body_mass[body] *= 1.5;
-  const physics::World world(std::move(heavier), {{config_.robot}}, mjcf::CopyOf(world_.model()));
+  const physics::World world(std::move(heavier), {{config_.robots[0].spec}},
+                             mjcf::CopyOf(world_.model()));
   EXPECT_EQ(ReadQuadruped(world.robot()).mass, figures_.mass);
   EXPECT_EQ(ReadQuadruped(world.robot()).trunk.mass, figures_.trunk.mass);
 }
@@ -158,24 +166,24 @@ TEST_P(QuadrupedLegTest, WeighsWhatTheModelWeighs) {
 
 TEST_P(QuadrupedLegTest, CentreOfMassIsTheModels) {
   const QuadrupedBody body(figures_);
-  robot_.Reset(config_.robot.standing);
+  robot_.Reset(config_.robots[0].spec.standing);
   std::vector<robot::MotorReading> motors(robot_.q().size());
   for (std::size_t i = 0; i < motors.size(); ++i) motors[i].q = robot_.q()[i];
   const QuadrupedReading reading =
       body.Read({.motors = motors, .imu = robot_.Imu(), .foot_force = std::array<double, 4>{}});
-  const int base = robot_.Body(config_.robot.base_body);
+  const int base = robot_.Body(config_.robots[0].spec.base_body);
   const Vector3d com(world_.data().subtree_com + 3 * base);
   EXPECT_LT((reading.com + robot_.base().p_WB - com).norm(), 1e-6);
 }
 
 TEST_P(QuadrupedLegTest, TouchesTheGroundWhereItsFootIsLowest) {
   const mjModel& model = world_.model();
-  const int geom = mj_name2id(&model, mjOBJ_GEOM, config_.robot.feet[0].geoms[0].c_str());
+  const int geom = mj_name2id(&model, mjOBJ_GEOM, config_.robots[0].spec.feet[0].geoms[0].c_str());
   const bool tyre = model.geom_type[geom] == mjGEOM_CYLINDER;
   const double radius = model.geom_size[3 * geom], half_width = model.geom_size[3 * geom + 1];
   const Vector3d up = Vector3d(0.02, 0, 1).normalized();
   for (const double hip : {-0.4, -0.1, 0.1, 0.4}) {
-    robot::PoseSpec pose = config_.robot.standing;
+    robot::PoseSpec pose = config_.robots[0].spec.standing;
     pose.q[0] = hip;
     robot_.Reset(pose);
     const Matrix3d R = Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>>(

@@ -14,20 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = 0.017453;  // rad
-
-// error_code of the vendor's sport service page.
-enum : int {
-  kStanding = 100,
-  kDamped = 1001,
-  kLocked = 1002,
-  kCrouch = 1004,
-  kGesture = 1006,
-  kSit = 1007,
-  kBalance = 1013,
-  kPose = 1091,
-};
-
 class QuadrupedMotionTest : public testing::TestWithParam<std::string> {
  protected:
   QuadrupedMotionTest() : rig_(GetParam()) {}

@@ -16,7 +16,6 @@
 namespace understudy::motion {
 namespace {
 
-constexpr int kStanding = 100;
 constexpr double kPatience = 25;  // s
 
 // Any orientation, joints anywhere within 0.8 rad of lying: the same every time.
@@ -47,8 +46,8 @@ class RecoveryTest : public testing::Test {
  protected:
   static void ExpectGetsUp(config::Config config, const robot::PoseSpec& pose,
                            const std::string& what) {
-    config.robot.hanging = pose;  // from a crane that is not there
-    config.robot.motion.quadruped.stands_up = false;
+    config.robots[0].spec.hanging = pose;  // from a crane that is not there
+    config.robots[0].spec.motion.quadruped.stands_up = false;
     QuadrupedRig rig(config);
     rig.Request("reset", {{"pose", "hanging"}});
     rig.Request("crane.release");
@@ -78,7 +77,7 @@ TEST_P(RandomRecoveryTest, GetsUpFromRandomPoses) {
   const QuadrupedFigures figures = ReadQuadruped(QuadrupedRig(config).world().robot());
   std::mt19937 random(GetParam().seed);
   for (int i = 0; i < GetParam().poses; ++i) {
-    ExpectGetsUp(config, Fallen(config.robot, figures, &random), std::to_string(i));
+    ExpectGetsUp(config, Fallen(config.robots[0].spec, figures, &random), std::to_string(i));
   }
 }
 
@@ -96,7 +95,7 @@ class RobotRecoveryTest : public RecoveryTest, public testing::WithParamInterfac
 TEST_P(RobotRecoveryTest, GetsUpFromItsBackAndBothSides) {
   const config::Config config = ConfigOf(GetParam());
   for (const double roll : {3.14159, 1.5708, -1.5708}) {
-    robot::PoseSpec pose = config.robot.lying;
+    robot::PoseSpec pose = config.robots[0].spec.lying;
     pose.quat = {std::cos(roll / 2), std::sin(roll / 2), 0, 0};
     pose.height = 0.05;
     ExpectGetsUp(config, pose, std::to_string(roll));
@@ -105,7 +104,7 @@ TEST_P(RobotRecoveryTest, GetsUpFromItsBackAndBothSides) {
 
 TEST_P(RobotRecoveryTest, StandsUpFromLying) {
   const config::Config config = ConfigOf(GetParam());
-  ExpectGetsUp(config, config.robot.lying, "lying");
+  ExpectGetsUp(config, config.robots[0].spec.lying, "lying");
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RobotRecoveryTest, testing::ValuesIn(test::Quadrupeds()),

@@ -9,6 +9,18 @@
 
 namespace understudy::motion {
 
+// error_code of the vendor's sport service page.
+enum : int {
+  kStanding = 100,
+  kDamped = 1001,
+  kLocked = 1002,
+  kCrouch = 1004,
+  kGesture = 1006,
+  kSit = 1007,
+  kBalance = 1013,
+  kPose = 1091,
+};
+
 class QuadrupedRig : public MotionRig {
  public:
   using MotionRig::MotionRig;

@@ -21,9 +21,6 @@ using Eigen::Vector3d;
 using goal::GaitName;
 using goal::GestureName;
 
-constexpr int kStanding = 100, kDamped = 1001, kLocked = 1002, kGesture = 1006, kSit = 1007,
-              kBalance = 1013;
-
 class SportTest : public testing::TestWithParam<std::string> {
  protected:
   // Of the base, by the truth and by the estimate: x, y [m], yaw [rad].

@@ -1,4 +1,4 @@
-// A part of what tools/survival counts (docs/walking.md).
+// A part of what tools/survival counts (docs/dev/walking.md).
 #include <string>
 #include <vector>
 

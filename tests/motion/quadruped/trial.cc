@@ -11,10 +11,10 @@
 #include <mujoco/mujoco.h>
 #include <spdlog/spdlog.h>
 
+#include "assembly/make_world.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "robot/randomization.h"
-#include "run/make_world.h"
 
 namespace understudy::motion {
 namespace {
@@ -45,18 +45,18 @@ bool Tall(const robot::RobotSpec& spec) { return spec.motion.quadruped.stand_hei
 // What somebody asks of it who looks on.
 class Client {
  public:
-  Client(const Trial& trial, const robot::RobotSpec& spec, robot::Dice* dice)
+  Client(const Trial& trial, const robot::RobotSpec& spec, robot::Randomizer* randomizer)
       : ground_(trial.ground), walk_(spec.motion.quadruped.walk) {
     const bool stairs = ground_ == "stairs";
-    speed_ = dice->Draw("speed", "", 0.3, stairs ? 0.5 : 1);
-    weave_ = ground_ == "rough" ? dice->Draw("weave", "", -0.4, 0.4) : 0;
+    speed_ = randomizer->Draw("speed", "", 0.3, stairs ? 0.5 : 1);
+    weave_ = ground_ == "rough" ? randomizer->Draw("weave", "", -0.4, 0.4) : 0;
     wishes_.fill(Vector3d::Zero());
     for (std::size_t i = 0; i < wishes_.size(); ++i) {
       for (int axis = 0; axis < 3; ++axis) {
         const std::string element = std::to_string(i) + " " + std::to_string(axis);
-        if (dice->Draw("asks", element, 0, 1) < 0.5) continue;
+        if (randomizer->Draw("asks", element, 0, 1) < 0.5) continue;
         wishes_[i][axis] =
-            dice->Draw("wish", element, walk_.least_speed[axis], walk_.most_speed[axis]);
+            randomizer->Draw("wish", element, walk_.least_speed[axis], walk_.most_speed[axis]);
       }
     }
   }
@@ -83,35 +83,35 @@ class Client {
 };
 
 std::vector<std::string> SceneOf(const Trial& trial, const robot::RobotSpec& spec,
-                                 robot::Dice* dice) {
+                                 robot::Randomizer* randomizer) {
   const auto scene = [](const std::string& kind, double difficulty) {
     return std::vector<std::string>{"scene=" + kind,
                                     "terrain.difficulty=" + std::to_string(difficulty)};
   };
   if (trial.ground == "rough") return scene("rough", 0.3);
   if (trial.ground == "slope") {
-    const double angle = dice->Draw("angle", "", 5, 15) * std::numbers::pi / 180;
+    const double angle = randomizer->Draw("angle", "", 5, 15) * std::numbers::pi / 180;
     return scene("slopes", std::tan(angle) / 0.4);
   }
   if (trial.ground == "stairs") {
     const double rise = !Wheeled(spec) && Tall(spec) ? 0.12 : 0.08;
-    const bool up = dice->Draw("up", "", 0, 1) < 0.5;
+    const bool up = randomizer->Draw("up", "", 0, 1) < 0.5;
     return scene(up ? "stairs_up" : "stairs_down", (rise - 0.01) / 0.22);
   }
   return scene("flat", 0);
 }
 
-config::Config ConfigOf(const Trial& trial, robot::Dice* dice) {
+config::Config ConfigOf(const Trial& trial, robot::Randomizer* randomizer) {
   const auto load = [&](const std::vector<std::string>& sets) {
     return config::LoadConfig({.robot = trial.robot, .files = {}, .sets = sets}, config::DataDir());
   };
-  std::vector<std::string> sets = SceneOf(trial, load({}).robot, dice);
+  std::vector<std::string> sets = SceneOf(trial, load({}).robots[0].spec, randomizer);
   const std::string seed = std::to_string(trial.seed);
   for (const std::string& set :
        {std::string("start.pose=standing"), std::string("robot.dynamics.delay=0.01"),
         std::string("randomization.mass=[0.8, 1.2]"), "randomization.seed=" + seed,
         "terrain.seed=" + seed, "sensors.seed=" + seed, std::string("terrain.size=[14, 8]"),
-        "terrain.friction=" + std::to_string(dice->Draw("friction", "", 0.4, 1.2))}) {
+        "terrain.friction=" + std::to_string(randomizer->Draw("friction", "", 0.4, 1.2))}) {
     sets.push_back(set);
   }
   return load(sets);
@@ -152,18 +152,18 @@ Outcome Try(const Trial& trial, const Watch& watch) {
   if (std::ranges::count(kGrounds, trial.ground, &TrialGround::name) == 0) {
     throw std::invalid_argument("no such ground: " + trial.ground);
   }
-  robot::Dice dice(trial.seed);
-  config::Config config = ConfigOf(trial, &dice);
-  const Client client(trial, config.robot, &dice);
+  robot::Randomizer randomizer(trial.seed);
+  config::Config config = ConfigOf(trial, &randomizer);
+  const Client client(trial, config.robots[0].spec, &randomizer);
   std::array<double, kPushes.size()> push_at{}, push_way{};
   for (std::size_t i = 0; i < kPushes.size(); ++i) {
-    push_at[i] = kPushes[i] + dice.Draw("push", std::to_string(i), 0, 1);
-    push_way[i] = dice.Draw("way", std::to_string(i), 0, 2 * std::numbers::pi);
+    push_at[i] = kPushes[i] + randomizer.Draw("push", std::to_string(i), 0, 1);
+    push_way[i] = randomizer.Draw("way", std::to_string(i), 0, 2 * std::numbers::pi);
   }
-  for (const robot::Drawn& drawn : dice.draws().values) {
+  for (const robot::Drawn& drawn : randomizer.draws().values) {
     spdlog::info("{} {}: {}", drawn.quantity, drawn.element, drawn.value);
   }
-  physics::World world = run::MakeWorld(&config).world;
+  physics::World world = assembly::MakePhysics(&config).world;
   MotionRig rig(config, std::move(world));
   const double impulse = trial.push * rig.world().robot().weight() / 9.81;
 
@@ -180,7 +180,7 @@ Outcome Try(const Trial& trial, const Watch& watch) {
     rig.Ask(goal::Move{wish.x(), wish.y(), wish.z(), 1});
     if (pushed < kPushes.size() && t >= push_at[pushed] && trial.push > 0) {
       const double way = push_way[pushed++];
-      rig.Request("push", {{"body", config.robot.crane_body},
+      rig.Request("push", {{"body", config.robots[0].spec.crane_body},
                            {"impulse", {impulse * std::cos(way), impulse * std::sin(way), 0}},
                            {"for", kPushTime}});
     }

@@ -1,0 +1,32 @@
+# What we use of Debian's packages, found by header and library alone: the packages' own CMake files are not all
+# usable (MuJoCo's names a folder that its package does not bring). A missing one is named with the package to install.
+
+# Understudy::<target> is imported, so that an installed library may refer to it; within Understudy it is <target>.
+function(understudy_imported target include)
+  if(TARGET Understudy::${target})
+    return()
+  endif()
+  add_library(Understudy::${target} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(Understudy::${target} SYSTEM INTERFACE ${include})
+  if(NOT CMAKE_FIND_PACKAGE_NAME)
+    add_library(${target} ALIAS Understudy::${target})
+  endif()
+endfunction()
+
+# understudy_package(target HEADER header DEBIAN package [LIBRARIES lib...] [SUFFIX include folder] [DEFINE macro...])
+function(understudy_package target)
+  cmake_parse_arguments(ARG "" "HEADER;DEBIAN;SUFFIX" "LIBRARIES;DEFINE" ${ARGN})
+  find_path(${target}_INCLUDE ${ARG_HEADER} PATH_SUFFIXES ${ARG_SUFFIX})
+  if(NOT ${target}_INCLUDE)
+    message(FATAL_ERROR "No header ${ARG_HEADER}: apt-get install ${ARG_DEBIAN} (or run ./tools/up)")
+  endif()
+  understudy_imported(${target} ${${target}_INCLUDE})
+  target_compile_definitions(Understudy::${target} INTERFACE ${ARG_DEFINE})
+  foreach(library ${ARG_LIBRARIES})
+    find_library(${target}_${library} ${library})
+    if(NOT ${target}_${library})
+      message(FATAL_ERROR "No library ${library}: apt-get install ${ARG_DEBIAN} (or run ./tools/up)")
+    endif()
+    target_link_libraries(Understudy::${target} INTERFACE ${${target}_${library}})
+  endforeach()
+endfunction()

@@ -1,0 +1,174 @@
+#include "assembly/make_world.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <random>
+#include <utility>
+
+#include <malloc.h>
+
+#include "base/errors.h"
+#include "base/printed.h"
+#include "config/load.h"
+#include "config/model_files.h"
+#include "config/randomization_keys.h"
+#include "mjcf/join.h"
+#include "mjcf/randomize_model.h"
+#include "physics/world_model.h"
+
+namespace understudy::assembly {
+namespace {
+
+using enum Note::Level;
+using Notes = std::vector<Note>;
+
+void Add(physics::LoadNotes loaded, Notes* notes) {
+  for (std::string& warning : loaded.warnings) notes->push_back({kWarning, std::move(warning)});
+  if (!loaded.rewrites.empty()) {
+    notes->push_back({kInfo, std::to_string(loaded.rewrites.size()) +
+                                 " places of the model were rewritten for this MuJoCo "
+                                 "(`understudy check` lists them)"});
+  }
+  for (const mjcf::Rewrite& rewrite : loaded.rewrites) notes->push_back({kDebug, rewrite.text()});
+  for (std::string& looks : loaded.looks) notes->push_back({kDebug, std::move(looks)});
+}
+
+// Adds a line per quantity, to four digits.
+void Add(const robot::Draws& draws, Notes* notes) {
+  std::map<std::string, std::string> lines;
+  for (const robot::Drawn& drawn : draws.values) {
+    std::string& line = lines[drawn.quantity];
+    if (!line.empty()) line += ", ";
+    line += (drawn.element.empty() ? "" : drawn.element + " ") + Printed("%.4g", drawn.value);
+  }
+  for (const auto& [quantity, line] : lines) {
+    notes->push_back({kInfo, "drawn " + quantity + ": " + line});
+  }
+}
+
+int SeedOf(const robot::RandomizationSpec& randomization, Notes* notes) {
+  if (randomization.seed >= 0) {
+    notes->push_back({kInfo, "randomized from seed " + std::to_string(randomization.seed)});
+    return randomization.seed;
+  }
+  const int seed = static_cast<int>(std::random_device()() & 0x7fffffffU);
+  const std::string text = std::to_string(seed);
+  notes->push_back({kWarning, "randomized from seed " + text + ", drawn for this run: --seed " +
+                                  text + " repeats it"});
+  return seed;
+}
+
+// A third-party model may have other names than the robot's description, which then takes them.
+mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
+  const config::SceneFile scene(config->scene, config->terrain);
+  const double timestep = config->physics.timestep;
+  physics::LoadNotes loaded;
+  mjcf::ModelHandle model;
+  for (config::RobotConfig& robot : config->robots) {
+    if (std::filesystem::path(robot.spec.model).is_relative()) continue;
+    physics::FittedModel fitted =
+        physics::LoadFittedModel({.spec = robot.spec,
+                                  .file = config::ModelFile(robot.spec),
+                                  .hands = config::HandModelFiles(robot.spec),
+                                  .x = robot.start.at[0],
+                                  .y = robot.start.at[1],
+                                  .yaw = robot.start.at[2]},
+                                 scene.path(), timestep, &loaded);
+    robot.spec = std::move(fitted.spec);
+    if (config->robots.size() == 1) model = std::move(fitted.model);
+  }
+  if (model == nullptr) {
+    model = physics::LoadWorldModel(PlacedRobots(*config), scene.path(), timestep, &loaded);
+  }
+  malloc_trim(0);  // compiling needs many times the memory of the result, which may be locked later
+  Add(std::move(loaded), notes);
+  return model;
+}
+
+// Returns LoadModel's result, or a copy of what `compiled` has for this time step.
+mjcf::ModelHandle LoadOrCopyModel(config::Config* config, CompiledModel* compiled, Notes* notes) {
+  if (compiled == nullptr) return LoadModel(config, notes);
+  if (compiled->model == nullptr || compiled->timestep != config->physics.timestep) {
+    Notes own;
+    compiled->model = LoadModel(config, &own);
+    compiled->timestep = config->physics.timestep;
+    compiled->specs.clear();
+    for (const config::RobotConfig& robot : config->robots) compiled->specs.push_back(robot.spec);
+    compiled->notes = std::move(own);
+  }
+  for (std::size_t i = 0; i < config->robots.size(); ++i) {
+    config->robots[i].spec = compiled->specs[i];
+  }
+  notes->insert(notes->end(), compiled->notes.begin(), compiled->notes.end());
+  return mjcf::CopyOf(*compiled->model);
+}
+
+// Those at which every robot can send.
+std::vector<double> PossibleTimesteps(const config::Config& config) {
+  const auto of = [&config](const config::RobotConfig& robot) {
+    return robot::PossibleTimesteps(config.randomization.timestep, robot.spec.rates);
+  };
+  std::vector<double> steps = of(config.robots.front());
+  for (const config::RobotConfig& robot : config.robots) {
+    const std::vector<double> others = of(robot);
+    std::erase_if(steps,
+                  [&](double step) { return std::ranges::find(others, step) == others.end(); });
+  }
+  if (steps.empty()) {
+    throw ConfigError("randomization.timestep: no step in it divides the periods of all robots");
+  }
+  return steps;
+}
+
+// `config` has the names of the model.
+MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::ModelHandle nominal,
+                 robot::Draws draws, Notes notes) {
+  return {.world = {std::move(model), PlacedRobots(config), std::move(nominal)},
+          .draws = std::move(draws),
+          .notes = std::move(notes),
+          .sight = std::make_shared<const SightModel>(config)};
+}
+
+}  // namespace
+
+MadePhysics MakePhysics(config::Config* config, CompiledModel* compiled) {
+  Notes notes;
+  robot::RandomizationSpec& ranges = config->randomization;
+  if (!config::IsRandom(ranges)) {
+    mjcf::ModelHandle model = LoadOrCopyModel(config, compiled, &notes);
+    return Made(*config, std::move(model), nullptr, {}, std::move(notes));
+  }
+  ranges.seed = SeedOf(ranges, &notes);
+  robot::Randomizer randomizer(ranges.seed);
+  if (!ranges.timestep.empty()) {
+    config->physics.timestep = randomizer.DrawOneOf("timestep", PossibleTimesteps(*config));
+  }
+  mjcf::ModelHandle model = LoadOrCopyModel(config, compiled, &notes);
+  mjcf::ModelHandle nominal = mjcf::CopyOf(*model);
+  std::vector<robot::RobotSpec> in_model;
+  for (config::RobotConfig& robot : config->robots) {
+    const std::string prefix = config->PrefixOf(robot);
+    robot::RandomizeMotors(ranges, prefix, &randomizer, &robot.spec);
+    in_model.push_back(mjcf::WithPrefix(prefix, robot.spec));
+  }
+  mjcf::RandomizeModel(ranges, in_model, &randomizer, model.get());
+  Add(randomizer.draws(), &notes);
+  return Made(*config, std::move(model), std::move(nominal), randomizer.draws(), std::move(notes));
+}
+
+std::unique_ptr<emulator::World> MakeWorld(physics::World physics, const config::Config& config,
+                                           const PortsOf& ports, emulator::Inbox* inbox) {
+  std::vector<emulator::RobotParts> robots;
+  for (const config::RobotConfig& robot : config.robots) {
+    const Ports own = ports(robots.size());
+    robots.push_back({.spec = robot.spec,
+                      .settings = config::RobotSettingsOf(robot),
+                      .port = own.port,
+                      .services = own.services});
+  }
+  return std::make_unique<emulator::World>(std::move(physics), config::WorldSettingsOf(config),
+                                           robots, inbox);
+}
+
+}  // namespace understudy::assembly

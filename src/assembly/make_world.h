@@ -1,0 +1,62 @@
+// Makes a world from its configuration.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assembly/sight_model.h"
+#include "config/config.h"
+#include "config/data_dir.h"  // so that a program built with the package finds its data
+#include "emulator/world.h"
+#include "physics/world.h"
+#include "robot/randomization.h"
+
+namespace understudy::assembly {
+
+// A line for a log.
+struct Note {
+  enum class Level : std::uint8_t { kDebug, kInfo, kWarning };
+  Level level;
+  std::string text;
+};
+
+struct MadePhysics {
+  physics::World world;
+  robot::Draws draws;       // values of config->randomization
+  std::vector<Note> notes;  // on the models and the draws
+  std::shared_ptr<const SightModel> sight;
+};
+
+// What was compiled of a configuration, so that its next worlds need no compiler. Empty at first.
+struct CompiledModel {
+  mjcf::ModelHandle model;
+  double timestep = 0;                  // s, for which it was compiled
+  std::vector<robot::RobotSpec> specs;  // of the robots, with the names of the model
+  std::vector<Note> notes;              // on the models
+};
+
+// Compiles robots and scene and draws the randomization. Updates `config` with the names of a
+// third-party model and with the drawn seed, time step, delay and motors. `compiled` keeps the
+// model for further calls with configurations that differ in seeds alone; null: it is not kept.
+// Throws ModelError.
+MadePhysics MakePhysics(config::Config* config, CompiledModel* compiled = nullptr);
+
+// What connects a robot to programs.
+struct Ports {
+  wire::RobotPort* port;
+  services::ServicePort* services = nullptr;  // null: the robot has no services
+};
+
+// Returns the ports of a robot by its number.
+using PortsOf = std::function<Ports(std::size_t robot)>;
+
+// Makes the world of a configuration on the physics that was made from it. Ports and `inbox` must
+// outlive the world. Throws ConfigError for a planned fault that a robot cannot have.
+std::unique_ptr<emulator::World> MakeWorld(physics::World physics, const config::Config& config,
+                                           const PortsOf& ports, emulator::Inbox* inbox);
+
+}  // namespace understudy::assembly

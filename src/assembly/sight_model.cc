@@ -1,0 +1,39 @@
+#include "assembly/sight_model.h"
+
+#include <utility>
+
+#include <malloc.h>
+
+#include "config/model_files.h"
+#include "physics/world_model.h"
+
+namespace understudy::assembly {
+
+std::vector<physics::PlacedRobot> PlacedRobots(const config::Config& config) {
+  std::vector<physics::PlacedRobot> placed;
+  for (const config::RobotConfig& robot : config.robots) {
+    const auto& [x, y, yaw] = robot.start.at;
+    placed.push_back({.spec = robot.spec,
+                      .file = config::ModelFile(robot.spec),
+                      .hands = config::HandModelFiles(robot.spec),
+                      .prefix = config.PrefixOf(robot),
+                      .x = x,
+                      .y = y,
+                      .yaw = yaw});
+  }
+  return placed;
+}
+
+SightModel::SightModel(config::Config config) : config_(std::move(config)) {}
+
+std::shared_ptr<const mjModel> SightModel::Get() const {
+  const std::lock_guard lock(mutex_);
+  if (model_ == nullptr) {
+    const config::SceneFile scene(config_.scene, config_.terrain);
+    model_ = physics::LoadSightModel(PlacedRobots(config_), scene.path(), config_.physics.timestep);
+    malloc_trim(0);  // compiling needs many times the memory of the result
+  }
+  return model_;
+}
+
+}  // namespace understudy::assembly

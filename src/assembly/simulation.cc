@@ -1,0 +1,70 @@
+#include "assembly/simulation.h"
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/printed.h"
+#include "emulator/request.h"
+
+namespace understudy::assembly {
+namespace {
+
+// Wall time is simulated time: leases of services last as long as on a robot.
+time::Clock::Time TimeOf(const emulator::World& world) {
+  return std::chrono::duration_cast<time::Clock::Time>(std::chrono::duration<double>(world.time()));
+}
+
+}  // namespace
+
+Simulation::Simulation(config::Config config, const PortsOf& ports)
+    : given_(std::move(config)), ports_(ports), config_(given_) {
+  Make();
+}
+
+void Simulation::Begin(int seed) {
+  config_ = given_;
+  config_.randomization.seed = seed;
+  for (config::RobotConfig& robot : config_.robots) robot.sensors.seed = seed;
+  Make();
+}
+
+void Simulation::Make() {
+  MadePhysics made = MakePhysics(&config_, &compiled_);
+  world_.reset();
+  null_ports_.clear();
+  inbox_ = std::make_unique<emulator::Inbox>();
+  draws_ = std::move(made.draws);
+  notes_ = std::move(made.notes);
+  sight_ = std::move(made.sight);
+  const auto ports_or_none = [&](std::size_t robot) {
+    Ports own = ports_ ? ports_(robot) : Ports{nullptr};
+    if (own.port == nullptr) {
+      own.port = &null_ports_.emplace_back(config_.robots[robot].spec, config_.physics.timestep);
+    }
+    own.port->Clear();
+    return own;
+  };
+  world_ = MakeWorld(std::move(made.world), config_, ports_or_none, inbox_.get());
+}
+
+void Simulation::Request(std::string_view name, const nlohmann::json& values) {
+  const auto request = emulator::ReadRequest(name, values);
+  if (!request) throw ControlError(request.why());
+  auto asked = inbox_->Put(*request);
+  world_->Attend(TimeOf(*world_));
+  if (request->waits()) return;
+  if (const emulator::Answer done = asked->answer.get(); !done) throw ControlError(done.why());
+}
+
+void Simulation::Step(int steps) {
+  for (int i = 0; i < steps; ++i) {
+    const physics::StepHealth health = world_->Tick(TimeOf(*world_));
+    if (health == physics::StepHealth::kDiverged && !world_->resets_on_divergence()) {
+      throw std::runtime_error(Printed("the physics diverged at %.3f s", world_->time()));
+    }
+  }
+}
+
+}  // namespace understudy::assembly

@@ -1,0 +1,9 @@
+#include "bus/now.h"
+
+#include <dds/dds.h>
+
+namespace understudy::bus {
+
+std::chrono::nanoseconds Now() { return std::chrono::nanoseconds(dds_time()); }
+
+}  // namespace understudy::bus

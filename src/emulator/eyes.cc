@@ -1,0 +1,125 @@
+#include "emulator/eyes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/rotations.h"
+
+namespace understudy::emulator {
+namespace {
+
+using wire::Content;
+
+bool IsOfClouds(Content content) {
+  return content != Content::kImuOfLidar && content != Content::kStateOfLidar;
+}
+bool ComesWithClouds(Content content) {
+  return IsOfClouds(content) && content != Content::kHeightMap;
+}
+
+int BodyOf(const robot::RobotSpec& spec, const physics::RobotBody& body) {
+  return body.Body(spec.lidar.body.empty() ? spec.base_body : spec.lidar.body);
+}
+
+}  // namespace
+
+Eyes::Eyes(const robot::RobotSpec& spec, const sensors::SensorConfig& errors,
+           const physics::World& physics, const physics::RobotBody& body,
+           const perception::Scene& scene)
+    : spec_(spec),
+      step_ns_(std::llround(physics.timestep() * 1e9)),
+      R_BL_(robot::FromRollPitchYaw(spec.lidar.rpy)),
+      lidar_(spec.lidar, errors, BodyOf(spec, body), physics.model(), physics.data(), scene,
+             physics.timestep()) {
+  for (const wire::LidarMessage& message : wire::LidarMessages(spec)) {
+    parts_.push_back({message.content, robot::Rate(message.topic.hz, physics.timestep())});
+  }
+  constexpr auto kCells = static_cast<std::size_t>(robot::HeightMap::kCells);
+  lidar_.reading().map.heights.reserve(kCells * kCells);
+}
+
+bool Eyes::Wants(Content content) const {
+  return std::ranges::any_of(
+      parts_, [content](const Part& part) { return part.content == content && part.wanted; });
+}
+
+void Eyes::Rest() {
+  lidar_.Rest();
+  if (mapped_) mapper_.Clear();
+  mapped_ = false;
+  clearance_.Clear();
+}
+
+void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
+                perception::Scene* scene, Computer* computer) {
+  const bool runs = !faults.dead && computer->RunsLidar();
+  bool casts = false;
+  for (Part& part : parts_) {
+    part.wanted = runs && computer->WantsLidar(part.content);
+    casts = casts || (part.wanted && IsOfClouds(part.content));
+  }
+  robot::LidarReading& reading = lidar_.reading();
+  reading.now_ns = step * step_ns_;
+  if (casts) {
+    Cast(step, data, faults, scene, computer);
+  } else {
+    Rest();
+  }
+  for (const Part& part : parts_) {
+    if (!part.wanted || ComesWithClouds(part.content) || !part.rate.Due(step)) continue;
+    if (part.content == Content::kHeightMap) {
+      mapper_.Read(&reading.map);
+    } else {
+      lidar_.Feel(step, data, spec_.imu);
+    }
+    reading.status.blind = faults.blind;
+    reading.status.dirt = faults.dirt;
+    if (!casts) reading.status.points_hz = lidar_.nominal_points_hz();
+    computer->Publish(part.content, &reading);
+  }
+}
+
+void Eyes::Cast(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
+                perception::Scene* scene, Computer* computer) {
+  scene->Follow(step, data);
+  const auto& odometry = computer->sampled().leg_odometry;
+  const robot::LegOdometry* const base = odometry ? &*odometry : nullptr;
+  const bool maps = Wants(Content::kHeightMap);
+  const bool deskews = maps || Wants(Content::kCloudDeskewed);
+  if (!lidar_.Sense(step, data, *scene, faults, deskews ? base : nullptr)) return;
+  const robot::LidarReading& reading = lidar_.reading();
+  const bool deskewed = reading.deskewed.size() == reading.cloud.points.size();
+  if (maps && base != nullptr && deskewed) Map(*base);
+  if (Wants(Content::kClearance) && base != nullptr) Measure(*base);
+  for (const Part& part : parts_) {
+    const bool made = part.content == Content::kCloudDeskewed ? deskewed
+                      : part.content == Content::kClearance   ? base != nullptr
+                                                              : ComesWithClouds(part.content);
+    if (part.wanted && made) computer->Publish(part.content, &lidar_.reading());
+  }
+}
+
+Eigen::Vector3d Eyes::InBase(const robot::LidarPoint& point) const {
+  return spec_.lidar.pos + R_BL_ * Eigen::Vector3d(point.x, point.y, point.z);
+}
+
+void Eyes::Map(const robot::LegOdometry& base) {
+  mapped_ = true;
+  mapper_.Follow(base.p_OB.head<2>());
+  const robot::LidarReading& reading = lidar_.reading();
+  for (std::size_t i = 0; i < reading.deskewed.size(); ++i) {
+    const robot::LidarPoint& at = reading.deskewed[i];
+    if (perception::IsOfRobot(InBase(reading.cloud.points[i]), base.p_OB.z())) continue;
+    mapper_.Add({at.x, at.y, at.z});
+  }
+}
+
+void Eyes::Measure(const robot::LegOdometry& base) {
+  robot::LidarReading& reading = lidar_.reading();
+  const std::vector<robot::LidarPoint>& points = reading.cloud.points;
+  clearance_.Add(
+      points.size(), [&](std::size_t i) { return InBase(points[i]); }, base.p_OB.z());
+  reading.clear = clearance_.Read();
+}
+
+}  // namespace understudy::emulator

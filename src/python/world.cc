@@ -1,0 +1,98 @@
+#include "python/world.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/printed.h"
+#include "config/data_dir.h"
+
+namespace understudy::python {
+
+World::World(const config::Layers& layers) {
+  const config::Config config = config::LoadConfig(layers, config::DataDir());
+  for (const config::RobotConfig& robot : config.robots) {
+    ports_.emplace_back(robot.spec, config.physics.timestep);
+  }
+  simulation_ = std::make_unique<assembly::Simulation>(
+      config, [this](std::size_t robot) { return assembly::Ports{&ports_[robot]}; });
+  ReadEventsAnew();
+}
+
+void World::Begin(int seed) {
+  if (seed < 0) throw std::invalid_argument("begin: expected a seed of 0 or more");
+  events_.clear();
+  simulation_->Begin(seed);
+  for (assembly::CommandPort& port : ports_) port.ForgetLowState();
+  ReadEventsAnew();
+}
+
+void World::ReadEventsAnew() {
+  events_.assign(ports_.size(), emulator::EventRing::Reader(&simulation_->world().events()));
+}
+
+int World::StepsOf(double seconds) const {
+  const double timestep = simulation_->config().physics.timestep;
+  const double steps = seconds / timestep;
+  constexpr double kMost = 1e9;
+  if (!(steps > 0.5 && steps < kMost) || std::abs(steps - std::round(steps)) > 1e-6 * steps) {
+    throw std::invalid_argument(
+        Printed("step: expected a whole number of steps of %g s, got %g s", timestep, seconds));
+  }
+  return static_cast<int>(std::lround(steps));
+}
+
+std::vector<emulator::ToldEvent> World::TakeEvents(std::size_t robot) {
+  std::vector<emulator::ToldEvent> taken;
+  emulator::Event event;
+  while (events_[robot].Next(&event)) {
+    if (event.robot == robot || emulator::IsOfWorld(event.kind)) taken.push_back({.event = event});
+  }
+  return taken;
+}
+
+Robot::Robot(std::shared_ptr<World> world, std::size_t index)
+    : world_(std::move(world)), index_(index) {}
+
+const robot::RobotSpec& Robot::spec() const {
+  return world_->simulation().config().robots[index_].spec;
+}
+
+const physics::RobotBody& Robot::body() const {
+  return world_->simulation().world().physics().robot(index_);
+}
+
+const emulator::Robot& Robot::part() const { return world_->simulation().world().robot(index_); }
+
+std::size_t Robot::TopicOf(const std::string& topic) const {
+  const std::vector<std::string>& topics = part().topics();
+  std::string known;
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    if (topics[i].empty()) continue;
+    if (topics[i] == topic) return i;
+    known += (known.empty() ? "" : ", ") + topics[i];
+  }
+  throw std::invalid_argument("command: expected one of the topics " + known + ", got '" + topic +
+                              "'");
+}
+
+std::size_t Robot::MotorsOf(std::size_t topic) const {
+  return topic < robot::kFirstHandTopic
+             ? spec().motors.size()
+             : spec().hands[topic - robot::kFirstHandTopic].motors.size();
+}
+
+const robot::RobotState& Robot::lowstate() const {
+  const robot::RobotState& state = world_->port(index_).lowstate();
+  if (state.motors.empty()) throw std::runtime_error("state: there is none before the first step");
+  return state;
+}
+
+void Robot::Request(const std::string& name, const std::string& values) const {
+  nlohmann::json object = nlohmann::json::parse(values);
+  if (index_ > 0 && !object.contains("robot")) object["robot"] = index_;
+  world_->simulation().Request(name, object);
+}
+
+}  // namespace understudy::python

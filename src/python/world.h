@@ -1,0 +1,67 @@
+// A world of robots in this process, and one robot of it, as Python has them.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assembly/command_port.h"
+#include "assembly/simulation.h"
+#include "config/load.h"
+#include "emulator/told_event.h"
+
+namespace understudy::python {
+
+// For one thread. Does not move.
+class World : public std::enable_shared_from_this<World> {
+ public:
+  // Throws ConfigError or ModelError.
+  explicit World(const config::Layers& layers);
+
+  // As assembly::Simulation::Begin; commands that wait and events that nobody has taken are gone.
+  void Begin(int seed);
+
+  assembly::Simulation& simulation() { return *simulation_; }
+  assembly::CommandPort& port(std::size_t robot) { return ports_[robot]; }
+  // Steps of the physics in `seconds`. Throws std::invalid_argument if that is no whole number of
+  // them, or less than one.
+  int StepsOf(double seconds) const;
+  // Returns the events of a robot since the last call, and those of the world.
+  std::vector<emulator::ToldEvent> TakeEvents(std::size_t robot);
+
+ private:
+  void ReadEventsAnew();
+
+  std::deque<assembly::CommandPort> ports_;  // by robot
+  std::unique_ptr<assembly::Simulation> simulation_;
+  std::vector<emulator::EventRing::Reader> events_;  // by robot
+};
+
+// One robot of a world, which it keeps.
+class Robot {
+ public:
+  Robot(std::shared_ptr<World> world, std::size_t index);
+
+  World& world() const { return *world_; }
+  std::size_t index() const { return index_; }
+  const robot::RobotSpec& spec() const;
+  const physics::RobotBody& body() const;
+  const emulator::Robot& part() const;
+
+  // The number of a topic of commands, and how many motors its commands have. Throw
+  // std::invalid_argument, which names those that there are, if the robot does not have it.
+  std::size_t TopicOf(const std::string& topic) const;
+  std::size_t MotorsOf(std::size_t topic) const;
+  // Returns the last LowState. Throws std::runtime_error before the first.
+  const robot::RobotState& lowstate() const;
+  // Carries out a request on this robot; `values` is a JSON object. Throws ControlError.
+  void Request(const std::string& name, const std::string& values) const;
+
+ private:
+  std::shared_ptr<World> world_;
+  std::size_t index_;
+};
+
+}  // namespace understudy::python

@@ -1,0 +1,85 @@
+// How hands talk and obey, by make: what is neither in their models nor among their figures.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robot/robot_spec.h"
+
+namespace understudy::robot {
+
+struct HandLaw {
+  // Of the messages: HandCmd_ and HandState_ of hg, with a twin on rt/lf; or MotorCmds_ and
+  // MotorStates_ of go.
+  enum class Messages : std::uint8_t { kHand, kMotors };
+  // Motors follow q, dq, tau, kp and kd. Or q is a goal, to which the hand's own controllers lead
+  // each motor at its knee_speed with hold_kp and hold_kd, or at dq of the command.
+  enum class Follows : std::uint8_t { kMotors, kGoals, kGoalsAtSpeed };
+
+  std::string_view name;  // robot.hands[].law
+  Messages messages;
+  Follows follows;
+  bool watched;       // kMotors messages: motors lock when commands stop, as if each had the bit
+  bool starts;        // before the first command it goes to q 0
+  bool shows_motion;  // kMotors messages: states have dq and tau_est
+  bool counts_lost;   // kMotors messages: states have lost
+};
+
+// Sources: docs/hands.md.
+inline constexpr HandLaw kHandLaws[] = {
+    {.name = "dex3",
+     .messages = HandLaw::Messages::kHand,
+     .follows = HandLaw::Follows::kMotors,
+     .watched = false,
+     .starts = false,
+     .shows_motion = true,
+     .counts_lost = false},
+    {.name = "dex1",
+     .messages = HandLaw::Messages::kMotors,
+     .follows = HandLaw::Follows::kMotors,
+     .watched = true,
+     .starts = false,
+     .shows_motion = true,
+     .counts_lost = false},
+    {.name = "inspire",
+     .messages = HandLaw::Messages::kMotors,
+     .follows = HandLaw::Follows::kGoals,
+     .watched = false,
+     .starts = false,
+     .shows_motion = false,
+     .counts_lost = true},
+    {.name = "brainco",
+     .messages = HandLaw::Messages::kMotors,
+     .follows = HandLaw::Follows::kGoalsAtSpeed,
+     .watched = false,
+     .starts = true,
+     .shows_motion = true,
+     .counts_lost = false},
+};
+
+inline std::vector<std::string> HandLawNames() {
+  std::vector<std::string> names;
+  for (const HandLaw& law : kHandLaws) names.emplace_back(law.name);
+  return names;
+}
+
+// Returns the law of a hand whose robot.hands[].law is valid.
+inline const HandLaw& LawOf(const HandSpec& spec) {
+  return *std::ranges::find(kHandLaws, std::string_view(spec.law), &HandLaw::name);
+}
+
+// Whether its messages are MotorCmds_ and MotorStates_.
+inline bool HasMotorLists(const HandSpec& spec) {
+  return LawOf(spec).messages == HandLaw::Messages::kMotors;
+}
+
+// Returns how many motors its messages have.
+inline std::size_t SlotsOf(const HandSpec& spec) {
+  return spec.slots == 0 ? spec.motors.size() : static_cast<std::size_t>(spec.slots);
+}
+
+}  // namespace understudy::robot

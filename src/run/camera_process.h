@@ -1,0 +1,44 @@
+// The process that draws what the cameras of a robot see.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "base/unique_fd.h"
+#include "emulator/snapshot.h"
+#include "robot/robot_spec.h"
+
+namespace understudy::run {
+
+// `understudy-view camera`: with OpenGL, which the daemon does not link. It gets its model from the
+// robot's control socket.
+class CameraProcess {
+ public:
+  // The parts of a snapshot of which a picture is made.
+  static constexpr emulator::SnapshotParts kParts = emulator::kPartPositions | emulator::kPartCrane;
+
+  // Starts `program`. Throws SetupError if it cannot be run.
+  CameraProcess(const std::filesystem::path& program, const std::filesystem::path& control_socket);
+  // Ends it.
+  ~CameraProcess();
+  CameraProcess(const CameraProcess&) = delete;
+  CameraProcess& operator=(const CameraProcess&) = delete;
+
+  // Returns the picture of a state as a JPEG, with that share of the light. Throws SetupError with
+  // the reason if there is none; the process is then of no more use.
+  std::vector<std::uint8_t> Draw(const robot::CameraSpec& camera, double light,
+                                 const emulator::Snapshot& state);
+
+  // Has a Draw in another thread throw at once.
+  void Interrupt() const;
+
+ private:
+  UniqueFd socket_;
+  pid_t pid_ = -1;
+};
+
+}  // namespace understudy::run

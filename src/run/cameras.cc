@@ -1,0 +1,112 @@
+#include "run/cameras.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include <poll.h>
+#include <spdlog/spdlog.h>
+
+namespace understudy::run {
+
+using services::Picture;
+
+Cameras::Cameras(const emulator::World& world, std::size_t robot, std::filesystem::path program,
+                 std::filesystem::path control_socket)
+    : robot_(robot),
+      cameras_(world.robot(robot).spec().cameras),
+      program_(std::move(program)),
+      control_socket_(std::move(control_socket)),
+      open_(cameras_.size()),
+      jobs_(1, {.faults = {}, .state = world.MakeSnapshot(robot)}),
+      newest_(cameras_.size()) {
+  if (cameras_.empty()) return;
+  thread_ = std::jthread([this](const std::stop_token& stop) { Work(stop); });
+}
+
+Cameras::~Cameras() {
+  thread_.request_stop();
+  bell_.Ring();
+  const std::lock_guard lock(mutex_);
+  if (process_) process_->Interrupt();
+}
+
+Cameras::Order Cameras::Begin(std::string_view service) noexcept {
+  const auto found = std::ranges::find(cameras_, service, &robot::CameraSpec::service);
+  if (found == cameras_.end()) return 0;
+  Order& open = open_[static_cast<std::size_t>(found - cameras_.begin())];
+  if (open == 0) open = ++last_;
+  return open;
+}
+
+void Cameras::Pop() noexcept {
+  pictures_.Pop();
+  busy_ = false;
+}
+
+std::optional<ExitCode> Cameras::After(const Cycle& cycle) {
+  for (std::size_t i = 0; i < open_.size() && !busy_; ++i) {
+    const std::size_t camera = (turn_ + i) % open_.size();
+    if (open_[camera] == 0) continue;
+    Job* const job = jobs_.Claim();
+    if (job == nullptr) break;
+    job->order = std::exchange(open_[camera], 0);
+    job->camera = camera;
+    job->faults = cycle.world.robot(robot_).faults().effects().cameras[camera];
+    job->state.parts = CameraProcess::kParts;
+    cycle.world.Show(&job->state);
+    jobs_.Commit();
+    bell_.Ring();
+    busy_ = true;
+    turn_ = camera + 1;
+  }
+  return {};
+}
+
+void Cameras::Work(const std::stop_token& stop) {
+  pollfd wakes{.fd = bell_.fd(), .events = POLLIN, .revents = 0};
+  while (!stop.stop_requested()) {
+    ::poll(&wakes, 1, -1);
+    bell_.Answer();
+    const Job* const job = jobs_.Front();
+    if (job == nullptr) continue;
+    Picture picture = Make(*job, stop);
+    jobs_.Pop();
+    *pictures_.Claim() = std::move(picture);
+    pictures_.Commit();
+  }
+  const std::lock_guard lock(mutex_);
+  process_.reset();
+}
+
+Picture Cameras::Make(const Job& job, const std::stop_token& stop) {
+  using enum Picture::Outcome;
+  if (job.faults.lost) return {.order = job.order, .outcome = kLost};
+  services::PictureBytes& newest = newest_[job.camera];
+  if (job.faults.frozen && newest != nullptr) {
+    return {.order = job.order, .outcome = kDrawn, .jpeg = newest};
+  }
+  try {
+    newest = Draw(job, stop);
+    return {.order = job.order, .outcome = kDrawn, .jpeg = newest};
+  } catch (const std::exception& error) {
+    const std::lock_guard lock(mutex_);
+    process_.reset();
+    if (!stop.stop_requested() && why_not_ != error.what()) {
+      why_not_ = error.what();
+      spdlog::warn("the cameras give no pictures: {}", why_not_);
+    }
+    return {.order = job.order, .outcome = kFailed};
+  }
+}
+
+services::PictureBytes Cameras::Draw(const Job& job, const std::stop_token& stop) {
+  if (!process_) {
+    const std::lock_guard lock(mutex_);
+    if (!stop.stop_requested()) process_.emplace(program_, control_socket_);
+  }
+  return std::make_shared<const std::vector<std::uint8_t>>(
+      process_.value().Draw(cameras_[job.camera], job.faults.light, job.state));
+}
+
+}  // namespace understudy::run

@@ -1,0 +1,76 @@
+// The cameras of a robot of a run: pictures for its services, drawn beside the tick.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/bell.h"
+#include "base/spsc_ring.h"
+#include "emulator/snapshot.h"
+#include "emulator/world.h"
+#include "robot/fault.h"
+#include "robot/robot_spec.h"
+#include "run/camera_process.h"
+#include "run/loop.h"
+#include "services/picture_source.h"
+
+namespace understudy::run {
+
+// One picture is drawn at a time, of the state after the cycle in which its turn comes; cameras
+// take turns. What is ordered meanwhile shares the next picture of its camera. The loop hands over
+// a copy of the state and never waits. A thread waits for the process that draws, which is started
+// for the first picture and kept. Nothing is drawn that is not ordered.
+class Cameras final : public Attachment, public services::PictureSource {
+ public:
+  // Of the robot of that number. `program` is understudy-view. `world` must outlive this.
+  Cameras(const emulator::World& world, std::size_t robot, std::filesystem::path program,
+          std::filesystem::path control_socket);
+  ~Cameras() override;
+
+  Order Begin(std::string_view service) noexcept override;
+  const services::Picture* Front() const noexcept override { return pictures_.Front(); }
+  void Pop() noexcept override;
+  std::optional<ExitCode> After(const Cycle& cycle) override;
+
+ private:
+  struct Job {
+    Order order = 0;
+    std::size_t camera = 0;
+    robot::CameraEffects faults;
+    emulator::Snapshot state;
+  };
+
+  void Work(const std::stop_token& stop);
+  services::Picture Make(const Job& job, const std::stop_token& stop);
+  services::PictureBytes Draw(const Job& job, const std::stop_token& stop);
+
+  std::size_t robot_;
+  std::vector<robot::CameraSpec> cameras_;
+  std::filesystem::path program_, control_socket_;
+
+  // Of the loop's thread:
+  std::vector<Order> open_;  // by camera: the order that waits for its turn, 0 for none
+  Order last_ = 0;
+  std::size_t turn_ = 0;  // the camera that is next
+  bool busy_ = false;     // a job is under way
+
+  SpscRing<Job> jobs_;
+  SpscRing<services::Picture> pictures_{1};
+  Bell bell_;
+
+  // Of the other:
+  std::mutex mutex_;  // over the existence of process_; that thread and the destructor
+  std::optional<CameraProcess> process_;
+  std::vector<services::PictureBytes> newest_;  // by camera
+  std::string why_not_;                         // the last reason in the log
+  std::jthread thread_;                         // last: it uses all of the above
+};
+
+}  // namespace understudy::run

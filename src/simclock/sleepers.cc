@@ -1,0 +1,142 @@
+#include "simclock/sleepers.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace understudy::simclock {
+namespace {
+
+std::string TaskFile(int pid, int tid, const char* name) {
+  return "/proc/" + std::to_string(pid) + "/task/" + std::to_string(tid) + "/" + name;
+}
+
+// The start of a file, "" of a process that is gone.
+std::string Read(const std::string& file) {
+  const UniqueFd in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  std::array<char, 1024> text{};
+  const ssize_t size = in.valid() ? ::read(in.get(), text.data(), text.size()) : 0;
+  return {text.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
+}
+
+// Functions of the kernel in which a thread sleeps until the disk, memory or its own making is done
+// (Linux 5.10 to 6.18).
+bool IsWork(std::string_view function) {
+  constexpr std::string_view kWork[] = {
+      "folio", "io_schedule", "wait_on_page", "blk_",  "rq_qos", "jbd2",  "ext4",        "xfs_",
+      "btrfs", "filemap",     "rwsem",        "mmap_", "exit",   "vfork", "kernel_clone"};
+  return std::ranges::any_of(
+      kWork, [&](std::string_view one) { return function.find(one) != std::string_view::npos; });
+}
+
+bool IsWaitingCall(long number) {
+  constexpr long kCalls[] = {
+#ifdef SYS_poll
+      SYS_poll,
+      SYS_select,
+      SYS_epoll_wait,
+      SYS_pause,
+#endif
+      SYS_futex,
+      SYS_read,
+      SYS_readv,
+      SYS_ppoll,
+      SYS_pselect6,
+      SYS_epoll_pwait,
+      SYS_epoll_pwait2,
+      SYS_recvfrom,
+      SYS_recvmsg,
+      SYS_recvmmsg,
+      SYS_accept,
+      SYS_accept4,
+      SYS_connect,
+      SYS_wait4,
+      SYS_waitid,
+      SYS_rt_sigsuspend,
+      SYS_rt_sigtimedwait,
+      SYS_nanosleep,
+      SYS_clock_nanosleep,
+      SYS_flock,
+      SYS_restart_syscall,
+      SYS_futex_waitv,
+      SYS_mq_timedreceive,
+      SYS_mq_timedsend};
+  return std::ranges::find(kCalls, number) != std::end(kCalls);
+}
+
+bool InWaitingCall(int pid, int tid) {
+  const std::string text = Read(TaskFile(pid, tid, "syscall"));
+  return !text.empty() && text[0] >= '0' && text[0] <= '9' &&
+         IsWaitingCall(std::strtol(text.c_str(), nullptr, 10));
+}
+
+bool IsZombie(int pid, int tid) {
+  const std::string text = Read(TaskFile(pid, tid, "stat"));
+  const std::size_t end = text.rfind(')');
+  return end == std::string::npos || text.find_first_of("ZX", end) == end + 2;
+}
+
+}  // namespace
+
+// wchan is "0" while the thread runs, is to run or is being woken, else the kernel's function in
+// which it sleeps. `syscall`, beside it, takes one that is being woken on another core for asleep.
+Sleep Sleepers::Look(std::uint32_t index) {
+  const Slot& slot = page_.slots[index];
+  const int pid = slot.pid, tid = slot.tid;
+  if (pid == 0 || tid == 0) return Sleep::kAwake;
+  File& file = files_[index];
+  if (!file.wchan.valid() || file.tid != tid) {
+    file.wchan = UniqueFd(::open(TaskFile(pid, tid, "wchan").c_str(), O_RDONLY | O_CLOEXEC));
+    file.tid = tid;
+    if (!file.wchan.valid()) return errno == ENOENT ? Sleep::kGone : Sleep::kAwake;
+  }
+  std::array<char, 128> text{};
+  const ssize_t size = ::pread(file.wchan.get(), text.data(), text.size() - 1, 0);
+  if (size <= 0) {
+    if (size < 0 && errno != ESRCH) return Sleep::kAwake;  // for a moment, in exec
+    file.wchan.reset();
+    return Sleep::kGone;
+  }
+  if (text[0] == '0') return IsZombie(pid, tid) ? Sleep::kGone : Sleep::kAwake;
+  if (IsWork(text.data())) return Sleep::kAwake;
+  if (slot.state == State::kBlocked) return Sleep::kAsleep;
+  // Cyclone's threads in the robot's process do not say that they wait for a lock. A thread on real
+  // time, such as the recorder, has it and soon lets it go.
+  if (pid == page_.robot) return Sleep::kAwake;
+  return InWaitingCall(pid, tid) ? Sleep::kAsleep : Sleep::kAwake;
+}
+
+std::int64_t Sleepers::CpuOf(std::uint32_t index) const {
+  const Slot& slot = page_.slots[index];
+  return std::strtoll(Read(TaskFile(slot.pid, slot.tid, "schedstat")).c_str(), nullptr, 10);
+}
+
+std::string Sleepers::Describe(std::uint32_t index) const {
+  const Slot& slot = page_.slots[index];
+  std::string text = "thread " + std::to_string(slot.tid) + " of " + NameOfProcess(slot.pid) +
+                     " (" + std::to_string(slot.pid) + ")";
+  return slot.state == State::kRunning ? text : text + ", in " + slot.what.data();
+}
+
+bool HasEnded(int pid) {
+  std::error_code gone;
+  const std::filesystem::directory_iterator tasks("/proc/" + std::to_string(pid) + "/task", gone);
+  return gone || (std::distance(tasks, {}) <= 1 && IsZombie(pid, pid));
+}
+
+std::string NameOfProcess(int pid) {
+  std::string name = Read("/proc/" + std::to_string(pid) + "/comm");
+  if (!name.empty()) name.pop_back();  // the end of the line
+  return name;
+}
+
+}  // namespace understudy::simclock

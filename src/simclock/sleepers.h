@@ -1,0 +1,46 @@
+// Looks whether the threads of a page sleep in the kernel.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/unique_fd.h"
+#include "simclock/page.h"
+
+namespace understudy::simclock {
+
+enum class Sleep { kAwake, kAsleep, kGone };
+
+// Reads /proc of the threads in the slots of a page. For one thread.
+class Sleepers {
+ public:
+  explicit Sleepers(Page* page) : page_(*page), files_(kMostThreads) {}
+
+  // Of the thread in a slot. One that does not say that it waits is asleep only in a system call
+  // that waits for somebody, not for the disk or for memory.
+  Sleep Look(std::uint32_t slot);
+
+  // Nanoseconds of CPU that the thread has had; 0 if it is gone.
+  std::int64_t CpuOf(std::uint32_t slot) const;
+
+  // "thread 1234 of python3 (1230), in condition": for a line of the log.
+  std::string Describe(std::uint32_t slot) const;
+
+ private:
+  struct File {
+    UniqueFd wchan{};
+    std::int32_t tid = 0;
+  };
+
+  Page& page_;
+  std::vector<File> files_;
+};
+
+// Whether no thread of a process is left.
+bool HasEnded(int pid);
+
+// The name of a process; "" if it is gone.
+std::string NameOfProcess(int pid);
+
+}  // namespace understudy::simclock

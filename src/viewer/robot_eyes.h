@@ -1,0 +1,49 @@
+// Draws what the cameras of a robot see: the program behind the pictures of its services.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "robot/robot_spec.h"
+#include "viewer/canvas.h"
+#include "viewer/headless_gl.h"
+#include "viewer/lens_table.h"
+#include "viewer/scene_state.h"
+#include "viewer/stage.h"
+
+namespace understudy::viewer {
+
+// OpenGL, model, and what is made for a camera once are kept between pictures.
+class RobotEyes {
+ public:
+  // `gl` as for MakeHeadlessGl. `robot` as for Stage. Throws SetupError without OpenGL.
+  RobotEyes(mjcf::ModelHandle model, const std::string& robot, const std::string& gl = "");
+
+  // Returns the picture that a camera has in a state, with that share of its light. The model has a
+  // camera of its name. Throws SetupError.
+  const Image& See(const robot::CameraSpec& camera, double light, const SceneState& state);
+
+  std::size_t positions() const { return stage_.positions(); }
+
+ private:
+  struct Eye {
+    explicit Eye(const robot::CameraSpec& camera, Stage* stage);
+
+    LensTable lens;
+    Canvas canvas;
+    mjvCamera camera{};
+  };
+
+  std::unique_ptr<HeadlessGl> gl_;
+  Stage stage_;
+  std::map<std::string, Eye> eyes_;
+};
+
+// Serves `understudy run` on standard input, a socket, until that closes: for each order, and the
+// snapshot that follows it, a JPEG behind a "+", or a reason behind a "-" (run/camera_process.h).
+void ServeCameras(const std::filesystem::path& control_socket);
+
+}  // namespace understudy::viewer

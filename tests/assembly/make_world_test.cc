@@ -1,0 +1,69 @@
+#include "assembly/make_world.h"
+
+#include <gmock/gmock.h>
+
+#include "base/errors.h"
+#include "config/load.h"
+#include "tests/support/fake_port.h"
+#include "tests/support/mujoco_test.h"
+
+namespace understudy::assembly {
+namespace {
+
+config::Config ConfigOf(std::vector<std::string> sets = {}) {
+  return config::LoadConfig({.robot = "go2", .sets = std::move(sets)}, UNDERSTUDY_SOURCE_DIR);
+}
+
+// What there is to say about the models is not looked at.
+std::vector<Note> NotesOf(config::Config* config) {
+  std::vector<Note> notes = MakePhysics(config).notes;
+  std::erase_if(notes, [](const Note& note) { return note.level == Note::Level::kDebug; });
+  return notes;
+}
+
+class MakeWorldTest : public test::MujocoTest {};
+
+TEST_F(MakeWorldTest, NotesTheSeedAndEachQuantityThatWasDrawn) {
+  config::Config config = ConfigOf({"randomization.seed=3", "randomization.delay=[0.001, 0.004]"});
+  const std::vector<Note> notes = NotesOf(&config);
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_EQ(notes[0].text, "randomized from seed 3");
+  EXPECT_EQ(notes[0].level, Note::Level::kInfo);
+  EXPECT_THAT(notes[1].text, testing::StartsWith("drawn delay: 0.00"));
+}
+
+TEST_F(MakeWorldTest, WarnsOfASeedThatItDrewItselfAndKeepsIt) {
+  config::Config config = ConfigOf({"randomization.delay=[0.001, 0.004]"});
+  const std::vector<Note> notes = NotesOf(&config);
+  ASSERT_FALSE(notes.empty());
+  EXPECT_EQ(notes[0].level, Note::Level::kWarning);
+  EXPECT_THAT(notes[0].text,
+              testing::HasSubstr("--seed " + std::to_string(config.randomization.seed)));
+}
+
+TEST_F(MakeWorldTest, MakesTheSightModelOnceForAll) {
+  config::Config config = ConfigOf();
+  const std::shared_ptr<const SightModel> sight = MakePhysics(&config).sight;
+  const std::shared_ptr<const mjModel> model = sight->Get();
+  EXPECT_EQ(sight->Get(), model);
+}
+
+TEST_F(MakeWorldTest, GivesEachRobotThePortsOfItsNumber) {
+  config::Config config = ConfigOf();
+  test::FakePort port;
+  emulator::Inbox inbox;
+  std::vector<std::size_t> asked;
+  const auto world = MakeWorld(
+      MakePhysics(&config).world, config,
+      [&](std::size_t robot) {
+        asked.push_back(robot);
+        return Ports{&port};
+      },
+      &inbox);
+  EXPECT_THAT(asked, testing::ElementsAre(0u));
+  world->Tick({});
+  EXPECT_EQ(port.samples().size(), 1u);
+}
+
+}  // namespace
+}  // namespace understudy::assembly

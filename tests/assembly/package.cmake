@@ -1,0 +1,48 @@
+# cmake -D BUILD=... -D SOURCE=... -D COMPILER=... -D OUT=... -P package.cmake
+# Installs the CMake package in a prefix of its own, and builds and runs two programs of users against it: the example, and
+# the one that docs/reference/embedding.md prints.
+function(run)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "${ARGN}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${OUT})
+foreach(component data development)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${OUT}/prefix --component ${component})
+endforeach()
+function(build source folder)
+  run(${CMAKE_COMMAND} -S ${source} -B ${folder} -DCMAKE_PREFIX_PATH=${OUT}/prefix -DCMAKE_CXX_COMPILER=${COMPILER})
+  run(${CMAKE_COMMAND} --build ${folder})
+endfunction()
+
+file(READ ${SOURCE}/docs/reference/embedding.md page)
+if(NOT page MATCHES "```cmake\n([^`]*)```.*```cpp\n([^`]*)```")
+  message(FATAL_ERROR "docs/reference/embedding.md has no CMake or no C++")
+endif()
+set(lists "${CMAKE_MATCH_1}")
+file(WRITE ${OUT}/page/mine.cc "${CMAKE_MATCH_2}")
+file(WRITE ${OUT}/page/CMakeLists.txt "cmake_minimum_required(VERSION 3.22)\nproject(mine LANGUAGES CXX)\n"
+     "add_executable(mine mine.cc)\n${lists}")
+build(${OUT}/page ${OUT}/page/build)
+run(${OUT}/page/build/mine)
+if(NOT output MATCHES "^x (0\\.[2-9]|1\\.)")
+  message(FATAL_ERROR "expected a Go2 that has walked, got:\n${output}")
+endif()
+
+build(${SOURCE}/examples/cpp_embed ${OUT}/build)
+run(${OUT}/build/embed)
+string(REGEX MATCHALL "t = [0-9.]+ s: the base is 0\\.[23][0-9]+ m high" heights "${output}")
+list(LENGTH heights count)
+if(NOT count EQUAL 21)
+  message(FATAL_ERROR "expected a Go2 that stands for 2 s, got:\n${output}")
+endif()
+# It finds the robots of the installation: an error that is made there is found there.
+file(READ ${OUT}/prefix/share/understudy/config/robots/go2.yaml robot)
+file(WRITE ${OUT}/prefix/share/understudy/config/robots/go2.yaml "${robot}\nno_key: 1\n")
+execute_process(COMMAND ${OUT}/build/embed ERROR_VARIABLE output RESULT_VARIABLE failed)
+if(NOT failed OR NOT output MATCHES "${OUT}/prefix/share/understudy/config/robots/go2.yaml")
+  message(FATAL_ERROR "expected an error in the robots of the installation, got:\n${output}")
+endif()

@@ -1,0 +1,87 @@
+// robot.hand_make: which hands a robot bears, and on which side.
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "config_fixture.h"
+
+namespace understudy::config {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Config With(const std::string& make, const std::string& robot = "g1") {
+  return LoadConfig({.robot = robot, .sets = {"robot.hand_make=" + make}},
+                    std::filesystem::path(UNDERSTUDY_SOURCE_DIR));
+}
+
+std::vector<std::string> Topics(const std::string& make) {
+  std::vector<std::string> topics;
+  const Config config = With(make);
+  for (const robot::HandSpec& hand : config.robots[0].spec.hands) topics.push_back(hand.topic);
+  return topics;
+}
+
+std::string Refusal(const std::string& make, const std::string& robot = "g1") {
+  try {
+    With(make, robot);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(HandChoiceTest, ANameIsOfBothSidesAndNoneOfNeither) {
+  EXPECT_THAT(Topics("dex1"), ElementsAre("dex1/left", "dex1/right"));
+  EXPECT_THAT(Topics("brainco"), ElementsAre("brainco/left", "brainco/right"));
+  EXPECT_THAT(Topics("none"), ElementsAre());
+  EXPECT_TRUE(With("none", "g1_29dof_dex3").robots[0].spec.hands.empty());
+}
+
+TEST(HandChoiceTest, ASideBearsAHandAloneOrEachSideAnother) {
+  EXPECT_THAT(Topics("left:dex1"), ElementsAre("dex1/left"));
+  EXPECT_THAT(Topics("right:dex3"), ElementsAre("dex3/right"));
+  EXPECT_THAT(Topics("left:dex1,right:brainco"), ElementsAre("dex1/left", "brainco/right"));
+  EXPECT_THAT(Topics("left:none,right:dex1"), ElementsAre("dex1/right"));
+}
+
+TEST(HandChoiceTest, HandsThatShareMessagesKeepTheirSlots) {
+  const robot::HandSpec both = With("inspire").robots[0].spec.hands.at(0);
+  EXPECT_EQ(both.motors.size(), 12U);
+  EXPECT_EQ(both.slots, 0);
+  const robot::HandSpec left = With("left:inspire").robots[0].spec.hands.at(0);
+  ASSERT_EQ(left.motors.size(), 6U);
+  EXPECT_EQ(left.motors[0].joint, "left_inspire_pinky_proximal_joint");
+  EXPECT_EQ(left.slot, 6);
+  EXPECT_EQ(left.slots, 12);
+  EXPECT_THAT(left.models, ElementsAre("g1/hands/left_inspire.xml"));
+  const robot::HandSpec right = With("right:inspire").robots[0].spec.hands.at(0);
+  EXPECT_EQ(right.slot, 0);
+  EXPECT_EQ(right.slots, 12);
+}
+
+TEST(HandChoiceTest, RefusesByName) {
+  EXPECT_EQ(Refusal("inspir"),
+            "--set robot.hand_make=inspir: robot.hand_make: no hands 'inspir' for this robot; did "
+            "you mean 'inspire'? (valid: brainco, dex1, dex3, inspire, none)");
+  EXPECT_EQ(Refusal("dex1", "go2"),
+            "--set robot.hand_make=dex1: robot.hand_make: this robot bears no hands, so not 'dex1' "
+            "either; g1 bears them: understudy run g1 --hands dex1");
+  EXPECT_THAT(Refusal("dex1", "g1_23dof"), HasSubstr("this robot bears no hands"));
+  for (const char* wrong : {"up:dex1", "dex1,dex3", "left:dex1,dex3", "left:dex1,"}) {
+    EXPECT_THAT(Refusal(wrong), HasSubstr("expected left:NAME or right:NAME")) << wrong;
+  }
+  EXPECT_THAT(Refusal("left:dex1,left:dex3"), HasSubstr("two hands for the left side"));
+}
+
+TEST(HandChoiceTest, ALayerChangesTheChosenHands) {
+  const Config config =
+      LoadConfig({.robot = "g1", .sets = {"robot.hand_make=dex1", "robot.hands.0.timeout=3"}},
+                 std::filesystem::path(UNDERSTUDY_SOURCE_DIR));
+  EXPECT_EQ(config.robots[0].spec.hands.at(0).timeout, 3);
+}
+
+}  // namespace
+}  // namespace understudy::config

@@ -1,0 +1,82 @@
+"""The pictures of robots' cameras, read with the vendor's Python SDK and decoded by ffmpeg: what stands in front is
+where the lens has it."""
+
+import subprocess
+
+import numpy as np
+import pytest
+
+WIDTH, HEIGHT = 1280, 720
+FOCAL, CENTRE = (864.4, 863.7), (639.2, 373.3)
+K1, K2, P1, P2 = -0.3546, 0.1021, -0.0016, -0.0012
+CAMERA = (0.32715, 0.643)  # m ahead, and over the ground, of a Go2 that is clamped
+AWAY = 1.5 - CAMERA[0]  # m to the red face
+HALF = (0.3, 0.2)  # m, of its width and height
+SCENE = f"""<mujoco><worldbody>
+  <light directional="true" dir="1 0 -1" diffuse="0.5 0.5 0.5"/>
+  <geom type="plane" size="0 0 1" rgba="0.3 0.3 0.3 1"/>
+  <geom type="box" size="0.1 {HALF[0]} {HALF[1]}" pos="1.6 0 {CAMERA[1]}" rgba="0.9 0.05 0.05 1"/>
+</worldbody></mujoco>"""
+
+
+def pixel_of(x, y):
+    """By OpenCV's model of a lens: where a direction is seen, x to the right and y down per depth."""
+    r2 = x * x + y * y
+    radial = 1 + K1 * r2 + K2 * r2 * r2
+    u = x * radial + 2 * P1 * x * y + P2 * (r2 + 2 * x * x)
+    v = y * radial + P1 * (r2 + 2 * y * y) + 2 * P2 * x * y
+    return CENTRE[0] + FOCAL[0] * u, CENTRE[1] + FOCAL[1] * v
+
+
+def decoded(jpeg):
+    """Rows of pixels of red, green, blue."""
+    shape = ["ffprobe", "-v", "error", "-show_entries", "stream=width,height,codec_name", "-of", "csv=p=0", jpeg]
+    assert subprocess.run(shape, capture_output=True, text=True, check=True).stdout.strip() == f"mjpeg,{WIDTH},{HEIGHT}"
+    raw = ["ffmpeg", "-loglevel", "error", "-i", jpeg, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"]
+    pixels = subprocess.run(raw, capture_output=True, check=True).stdout
+    return np.frombuffer(pixels, np.uint8).reshape(HEIGHT, WIDTH, 3).astype(int)
+
+
+def red_span(line):
+    """The first and the last red pixel of a line, and how many of those between are not."""
+    red = np.flatnonzero((line[:, 0] > 2 * line[:, 1]) & (line[:, 0] > 60))
+    return red[0], red[-1], red[-1] - red[0] + 1 - len(red)
+
+
+@pytest.fixture(scope="module")
+def front(rehearse, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("camera")
+    (folder / "scene.xml").write_text(SCENE)
+    options = ("--start", "clamped", "--scene", str(folder / "scene.xml"))
+    run = rehearse("go2", "camera_watch.py", "front", str(folder / "picture.jpg"), "4", options=options)
+    assert run.succeeded()
+    return run.report, decoded(folder / "picture.jpg")
+
+
+def test_a_box_ahead_is_where_the_lens_has_it(front):
+    _, picture = front
+    (left, row), (right, _) = pixel_of(-HALF[0] / AWAY, 0), pixel_of(HALF[0] / AWAY, 0)
+    assert red_span(picture[round(row)]) == (pytest.approx(left, abs=2), pytest.approx(right, abs=2), 0)
+    (column, top), (_, bottom) = pixel_of(0, -HALF[1] / AWAY), pixel_of(0, HALF[1] / AWAY)
+    assert red_span(picture[:, round(column)]) == (pytest.approx(top, abs=2), pytest.approx(bottom, abs=2), 0)
+
+
+def test_pictures_come_while_states_go_on_at_their_rate(front):
+    report, _ = front
+    assert report["codes"] == [0]
+    assert report["pictures"] > 4
+    assert report["states_per_tick"] > 0.98  # one in 2 ms of simulated time
+    assert report["pace"] > 0.9
+
+
+@pytest.mark.parametrize("camera", ["b2_front", "b2_back"])
+def test_a_b2_sees_ahead_and_behind(rehearse, tmp_path, camera):
+    x = 3 if camera == "b2_front" else -3
+    (tmp_path / "scene.xml").write_text(SCENE.replace('pos="1.6 0', f'pos="{x} 0'))
+    run = rehearse("b2", "camera_watch.py", camera, str(tmp_path / "picture.jpg"), "0",
+                   options=("--start", "clamped", "--scene", str(tmp_path / "scene.xml")))
+    assert run.succeeded()
+    picture = decoded(tmp_path / "picture.jpg")
+    red = (picture[:, :, 0] > 2 * picture[:, :, 1]) & (picture[:, :, 0] > 60)
+    assert red.sum() > 10_000
+    assert np.flatnonzero(red.any(axis=0)).mean() == pytest.approx(WIDTH / 2, abs=20)

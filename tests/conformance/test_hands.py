@@ -1,0 +1,49 @@
+"""Hands whose services speak MotorCmds_ and MotorStates_, through the vendor's Python SDK."""
+
+import pytest
+
+# By make: topics, motors in a message, states a second, q open and q closed.
+MAKES = {
+    "dex1": (("dex1/left", "dex1/right"), 1, 500, 5.4, 0.0),
+    "inspire": (("inspire",), 12, 100, 1.0, 0.0),
+    "brainco": (("brainco/left", "brainco/right"), 6, 500, 0.0, 1.0),
+}
+
+
+@pytest.fixture(params=MAKES)
+def hands(request, rehearse):
+    run = rehearse("g1", "hands_close.py", request.param,
+                   options=("--start", "clamped", "--hands", request.param))  # fmt: skip
+    assert run.succeeded()
+    return request.param, run
+
+
+def test_each_topic_has_the_motors_of_its_service(hands):
+    make, run = hands
+    topics, motors = MAKES[make][:2]
+    assert run.report["motors"] == dict.fromkeys(topics, motors)
+
+
+def test_states_come_at_the_rate_of_the_service(hands):
+    make, run = hands
+    assert 0.5 < run.report["rate"] / MAKES[make][2] < 1.1  # fewer on a busy machine
+
+
+def test_q_opens_and_closes_in_the_sense_of_its_service(hands):
+    make, run = hands
+    for word, q in zip(("open", "closed"), MAKES[make][3:]):
+        for seen in run.report[word].values():
+            assert seen == pytest.approx([q] * len(seen), abs=0.1)
+
+
+def test_a_closed_hand_stays_closed_when_commands_stop(hands):
+    make, run = hands
+    for seen in run.report["stopped"].values():
+        assert seen == pytest.approx([MAKES[make][4]] * len(seen), abs=0.2)
+
+
+def test_only_a_gripper_times_out(hands):
+    make, run = hands
+    assert [hand["timeouts"] for hand in run.hands] == [int(make == "dex1")] * len(run.hands)
+    assert not any(run.refused_by_hands)
+    assert all(hand["accepted"] > 0 for hand in run.hands)

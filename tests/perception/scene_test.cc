@@ -1,0 +1,132 @@
+#include "perception/scene.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "tests/perception/random_scene.h"
+#include "tests/support/allocations.h"
+#include "tests/support/mujoco_test.h"
+
+namespace understudy::perception {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+class SceneTest : public test::MujocoTest {};
+
+// Returns how many of `count` rays hit something.
+int Compare(const Scene& scene, test::RandomScene* random, int count) {
+  int hits = 0;
+  for (int i = 0; i < count; ++i) {
+    const Ray ray = random->Ray();
+    const Hit slow = random->Slowly(ray), fast = scene.Cast(ray);
+    EXPECT_EQ(std::isfinite(slow.distance), std::isfinite(fast.distance)) << i;
+    if (!std::isfinite(slow.distance)) continue;
+    ++hits;
+    EXPECT_NEAR(fast.distance, slow.distance, 1e-9) << i;
+  }
+  return hits;
+}
+
+TEST_F(SceneTest, IsMetWhereMujocoSaysByAnyRay) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(seed);
+    test::RandomScene random(seed);
+    Scene scene(*random.model, *random.data);
+    EXPECT_GT(Compare(scene, &random, 3000), 1500);
+    for (int i = 0; i < 3; ++i) {
+      random.Move();
+      scene.Follow(i, *random.data);
+      EXPECT_GT(Compare(scene, &random, 1000), 500);
+    }
+  }
+}
+
+TEST_F(SceneTest, NamesTheGeomThatIsMet) {
+  test::RandomScene random(3);
+  const Scene scene(*random.model, *random.data);
+  for (int i = 0; i < 1000; ++i) {
+    const Ray ray = random.Ray();
+    EXPECT_EQ(scene.Cast(ray).geom, random.Slowly(ray).geom) << i;
+  }
+}
+
+TEST_F(SceneTest, IsMetBehindWhatIsLeftOut) {
+  test::RandomScene random(4);
+  const Scene scene(*random.model, *random.data);
+  int further = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Ray ray = random.Ray();
+    const Hit first = scene.Cast(ray);
+    if (first.geom < 0) continue;
+    const int without[] = {first.geom};
+    const Hit second = scene.Cast(ray, without);
+    EXPECT_NE(second.geom, first.geom);
+    EXPECT_GE(second.distance, first.distance);
+    further += second.geom >= 0 ? 1 : 0;
+  }
+  EXPECT_GT(further, 50);
+}
+
+TEST_F(SceneTest, KnowsInWhichGeomsAPointLies) {
+  const test::TemporaryFolder folder;
+  const mjcf::ModelHandle model =
+      physics::LoadModelFile(folder.Write("scene.xml", R"(<mujoco><worldbody>
+        <geom type="box" size="1 1 1"/><geom type="sphere" size="0.5" pos="0.9 0 0"/>
+        <geom type="box" size="1 1 1" contype="0" conaffinity="0"/></worldbody></mujoco>)"));
+  const mjcf::DataHandle data(mj_makeData(model.get()));
+  mj_kinematics(model.get(), data.get());
+  const Scene scene(*model, *data);
+  EXPECT_THAT(scene.Around({0, 0, 0}), ElementsAre(0));
+  EXPECT_THAT(scene.Around({0.9, 0, 0}), ElementsAre(0, 1));
+  EXPECT_THAT(scene.Around({1.3, 0, 0}), ElementsAre(1));
+  EXPECT_THAT(scene.Around({3, 0, 0}), IsEmpty());
+}
+
+TEST_F(SceneTest, FollowsAStepOnce) {
+  test::RandomScene random(3);
+  Scene scene(*random.model, *random.data);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 300; ++i) rays.push_back(random.Ray());
+  const auto distances = [&] {
+    std::vector<double> of_rays;
+    for (const Ray& ray : rays) of_rays.push_back(scene.Cast(ray).distance);
+    return of_rays;
+  };
+  scene.Follow(5, *random.data);
+  const auto before = distances();
+  random.Move();
+  scene.Follow(5, *random.data);
+  EXPECT_EQ(distances(), before) << "a second robot that looks in the same step";
+  scene.Follow(6, *random.data);
+  EXPECT_NE(distances(), before);
+}
+
+TEST_F(SceneTest, AllocatesNothingByRayOrInstant) {
+  test::RandomScene random(5);
+  Scene scene(*random.model, *random.data);
+  const std::uint64_t before = test::Allocations();
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    random.Move();
+    scene.Follow(i, *random.data);
+    hits += scene.Cast(random.Ray()).geom >= 0 ? 1 : 0;
+  }
+  EXPECT_EQ(test::Allocations(), before);
+  EXPECT_GT(hits, 500);
+}
+
+TEST_F(SceneTest, HasNoGeomThatNothingTouches) {
+  const test::TemporaryFolder folder;
+  const mjcf::ModelHandle model =
+      physics::LoadModelFile(folder.Write("scene.xml", R"(<mujoco><worldbody>
+        <geom type="sphere" size="1" contype="0" conaffinity="0"/></worldbody></mujoco>)"));
+  const mjcf::DataHandle data(mj_makeData(model.get()));
+  mj_kinematics(model.get(), data.get());
+  EXPECT_EQ(Scene(*model, *data).Cast({{-3, 0, 0}, {1, 0, 0}}).geom, -1);
+}
+
+}  // namespace
+}  // namespace understudy::perception

@@ -1,0 +1,88 @@
+"""examples/training: a policy is trained, goes on after an interruption, and is deployed."""
+
+import dataclasses
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+
+import understudy.envs
+
+ROOT = pathlib.Path(__file__).parents[2]
+TRAIN = ROOT / "examples" / "training" / "go2_flat" / "train.py"
+
+
+def train(folder, *options):
+    words = [sys.executable, TRAIN, folder, "--robots", "16", *options]
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def progress(folder):
+    return np.genfromtxt(folder / "progress.csv", delimiter=",", names=True)
+
+
+class Crouch(understudy.envs.WalkVectorEnv):
+    """What is learned in seconds: to lower the base to 0.22 m."""
+
+    TASK = dataclasses.replace(
+        understudy.envs.FLAT["go2"], weights={"low": 1.0, "fall": -5.0}, episode=2.0, lowest=0.1
+    )  # fmt: skip
+
+    def reward_terms(self):
+        return {"low": np.exp(-np.square((self.batch.truth["position"][:, 2] - 0.22) / 0.05))}
+
+
+def test_the_reward_rises_and_the_policy_is_deployed_by_the_same_definition(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(TRAIN.parent)
+    from train import Learner, train as train_in_process
+
+    learner = Learner(45, 12, seed=2)
+    train_in_process(tmp_path, Crouch(Crouch.TASK, 16), learner, lambda: learner.iteration == 24)
+    reward = progress(tmp_path)["reward_per_s"]
+    assert reward[-8:].mean() > 1.5 * reward[:8].mean(), reward
+    checked = subprocess.run(
+        [os.environ["UNDERSTUDY"], "policy", "check", tmp_path / "deploy.yaml", "--robot", "go2"], capture_output=True, text=True
+    )  # fmt: skip
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+    robot = understudy.Robot("go2", set={"start.pose": "standing", "motion.service": "none"})
+    robot.step(0.02)
+    policy = understudy.Policy(tmp_path / "deploy.yaml", robot)
+    for _ in range(50):
+        robot.command(**policy.step(robot.state))
+        robot.step(policy.step_dt)
+    assert robot.truth.tilt < 0.5 and not [event for event in robot.take_events() if event["kind"] == "refused"]
+
+
+def test_the_same_seed_gives_the_same_policy_and_another_does_not(tmp_path):
+    for name, seed in (("a", 1), ("b", 1), ("c", 2)):
+        train(tmp_path / name, "--iterations", "2", "--seed", seed)
+    a, b, c = ((tmp_path / name / "deploy.safetensors").read_bytes() for name in "abc")
+    assert a == b != c
+
+
+def test_ctrl_c_loses_nothing_and_the_next_run_goes_on(tmp_path):
+    with subprocess.Popen([sys.executable, TRAIN, tmp_path, "--robots", "16"], stdout=subprocess.PIPE, text=True) as training:
+        end = time.monotonic() + 60
+        while not (tmp_path / "progress.csv").exists() or len((tmp_path / "progress.csv").read_text().splitlines()) < 4:
+            assert time.monotonic() < end and training.poll() is None
+            time.sleep(0.05)
+        training.send_signal(signal.SIGINT)
+        assert training.wait(60) == 0 and "run it again to go on" in training.stdout.read()
+    before = len(progress(tmp_path))
+    told = train(tmp_path, "--iterations", before + 2)
+    assert f"goes on after iteration {before}" in told
+    assert list(progress(tmp_path)["iteration"]) == list(range(1, before + 3))
+
+
+def test_a_damaged_checkpoint_is_named_and_not_replaced(tmp_path):
+    checkpoint = tmp_path / "checkpoint.pickle"
+    checkpoint.write_bytes(b"garbage")
+    done = subprocess.run([sys.executable, TRAIN, tmp_path, "--iterations", "1"], capture_output=True, text=True, timeout=300)
+    assert done.returncode == 2 and f"{checkpoint}: expected a checkpoint" in done.stderr
+    assert checkpoint.read_bytes() == b"garbage"

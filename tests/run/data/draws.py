@@ -1,0 +1,25 @@
+#!/usr/bin/env python3
+"""Plays understudy-view, which draws what cameras see: a picture is the text CAMERA QUALITY LIGHT TIME-OF-THE-STATE.
+Its second argument is the file of the control socket: one is made there, and where it is "dark" there is no OpenGL."""
+
+import json
+import pathlib
+import socket
+import struct
+import sys
+
+talk = socket.socket(fileno=0)
+place = pathlib.Path(sys.argv[2])
+place.write_text("")
+
+
+def receive():
+    head = talk.recv(4, socket.MSG_WAITALL)
+    return json.loads(talk.recv(struct.unpack("I", head)[0], socket.MSG_WAITALL)) if head else None
+
+
+while order := receive():
+    state = receive()
+    picture = f"+{order['camera']} {order['quality']} {order['light']:.2f} {state['time']:.3f}"
+    reply = b"-no OpenGL" if place.name == "dark" else picture.encode()
+    talk.sendall(struct.pack("I", len(reply)) + reply)

@@ -1,0 +1,95 @@
+#include "simclock/coordinator.h"
+
+#include <memory>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "own_clock.h"
+
+namespace understudy::simclock {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+test::ClockedRun Shell(const std::string& script, const test::ClockedOptions& options = {}) {
+  return test::RunOnClock({"/bin/sh", "-c", script}, options);
+}
+
+TEST(CoordinatorTest, AMinuteOfSleepTakesAMomentOfWallTime) {
+  const test::ClockedRun run = Shell("sleep 60");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_GE(run.simulated, 60);
+  EXPECT_LT(run.wall, 20);
+}
+
+TEST(CoordinatorTest, TimeStandsStillFromTheEndOfTheProgram) {
+  const test::ClockedRun run = Shell("sleep 2");
+  EXPECT_NEAR(run.simulated, 2, 0.002);
+}
+
+TEST(CoordinatorTest, AThreadThatIsSeenGoneAfterTheEndWasToldHoldsNoTime) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  const auto page = std::make_unique<Page>();
+  page->program = child;
+  page->used = 1;
+  page->running = 1;
+  page->slots[0].pid = child;
+  page->slots[0].tid = child;
+  page->slots[0].state = State::kRunning;
+  Coordinator coordinator(page.get(), /*realtime=*/false);
+  coordinator.ProgramEnded();
+  using namespace std::chrono_literals;
+  for (int i = 0; i < 3 && !coordinator.Reach(1ms, 1s); ++i) {
+  }
+  EXPECT_TRUE(coordinator.Reach(2ms, 1s));
+}
+
+TEST(CoordinatorTest, TheProgramsExitCodeIsKept) {
+  EXPECT_EQ(Shell("sleep 1; exit 7").code, 7);
+  EXPECT_EQ(Shell("kill -9 $$").code, 128 + 9);
+}
+
+TEST(CoordinatorTest, ChildrenAreOnTheClock) {
+  const test::ClockedRun run = Shell("sleep 1 & sleep 2; wait; sleep 3");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NEAR(run.simulated, 5, 0.1);
+  EXPECT_THAT(run.unrepeatable, IsEmpty());
+}
+
+TEST(CoordinatorTest, TheDateIsTheSameInEachRun) {
+  EXPECT_EQ(Shell("date -u +%F-%T; sleep 90; date -u +%F-%T").printed,
+            "2026-01-01-00:00:00\n2026-01-01-00:01:30\n");
+}
+
+TEST(CoordinatorTest, ComputingTakesNoTime) {
+  const test::ClockedRun run =
+      Shell("i=0; while [ $i -lt 20000 ]; do i=$((i+1)); done; date +%s.%N");
+  EXPECT_THAT(run.printed, HasSubstr(".000000000"));
+}
+
+TEST(CoordinatorTest, WaitsEndInAnOrderThatRepeats) {
+  const std::string script =
+      "for i in 11 13 17 19 23 29; do (for k in 1 2 3 4 5; do sleep 0.0${i}; echo $i$k; done) & "
+      "done; "
+      "wait";
+  const std::string first = Shell(script).printed;
+  EXPECT_EQ(first.size(), 6U * 5 * 4);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(Shell(script).printed, first);
+}
+
+TEST(CoordinatorTest, TimeGoesOnBesideABusyLoopAndThatIsSaid) {
+  const test::ClockedRun run =
+      Shell("(while :; do :; done) & busy=$!; sleep 0.01; kill $busy; exit 0",
+            {.most_computing = std::chrono::milliseconds(200)});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.unrepeatable, HasSubstr("computes and does not wait"));
+}
+
+}  // namespace
+}  // namespace understudy::simclock

@@ -1,0 +1,71 @@
+// Draws with the OpenGL of this machine, usually Mesa's software renderer.
+#include "viewer/robot_eyes.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+#include "robot/lens.h"
+#include "viewer/jpeg.h"
+#include "viewer_test.h"
+
+namespace understudy::viewer {
+namespace {
+
+// The camera of the test's world looks down from 20 m; the ball floats at 5 m.
+robot::CameraSpec Above() {
+  robot::CameraSpec camera;
+  camera.name = "above";
+  camera.width = 160;
+  camera.height = 120;
+  camera.focal = {145, 145};  // 45 degrees, as MuJoCo's cameras
+  camera.centre = {79.5, 59.5};
+  return camera;
+}
+
+TEST(RobotEyesTest, SeesWhatIsThereAgainAndAgain) {
+  RobotEyes eyes(BallModel(), "");
+  const auto red = [&](double x, int column) {
+    const Image& image = eyes.See(Above(), 1, BallAt(x));
+    const auto i = 3 * static_cast<std::size_t>(60 * image.width + column);
+    return image.rgb[i] > 2 * image.rgb[i + 2];
+  };
+  EXPECT_TRUE(red(0, 86));
+  EXPECT_FALSE(red(0, 118));
+  EXPECT_TRUE(red(4, 118));
+  EXPECT_FALSE(red(4, 86));
+  EXPECT_TRUE(red(0, 86));
+}
+
+TEST(RobotEyesTest, DrawsTheSameStateBitForBit) {
+  RobotEyes eyes(BallModel(), "");
+  const std::string first = EncodeJpeg(eyes.See(Above(), 1, BallAt(1)), 90);
+  eyes.See(Above(), 1, BallAt(2));
+  EXPECT_EQ(EncodeJpeg(eyes.See(Above(), 1, BallAt(1)), 90), first);
+}
+
+TEST(RobotEyesTest, RefusesACameraThatTheModelLacks) {
+  RobotEyes eyes(BallModel(), "");
+  robot::CameraSpec camera = Above();
+  camera.name = "below";
+  EXPECT_THROW(eyes.See(camera, 1, BallAt(0)), ModelError);
+}
+
+TEST(JpegTest, HasTheMarksOfAFile) {
+  const Image grey{.width = 16, .height = 8, .rgb = std::vector<std::uint8_t>(384, 128)};
+  const std::string jpeg = EncodeJpeg(grey, 90);
+  EXPECT_TRUE(jpeg.starts_with("\xFF\xD8\xFF"));
+  EXPECT_TRUE(jpeg.ends_with("\xFF\xD9"));
+}
+
+TEST(JpegTest, IsSmallerForALowerQuality) {
+  Image image{.width = 64, .height = 64, .rgb = {}};
+  for (int i = 0; i < 3 * 64 * 64; ++i) {
+    image.rgb.push_back(static_cast<std::uint8_t>(i * i % 251));
+  }
+  EXPECT_LT(EncodeJpeg(image, 40).size(), EncodeJpeg(image, 90).size() / 2);
+}
+
+}  // namespace
+}  // namespace understudy::viewer
