@@ -7,9 +7,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -67,14 +71,44 @@ void Empty(int folder, int depth) {
   }
 }
 
+int OpenFolder(const char* path) {
+  return ::open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+}
+
 void RemoveTree(const char* path) {
   constexpr int kDeepest = 8;
-  const int folder = ::open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  const int folder = OpenFolder(path);
   if (folder >= 0) {
     Empty(folder, kDeepest);
     ::close(folder);
   }
   ::rmdir(path);
+}
+
+bool Lock(int folder) { return ::flock(folder, LOCK_EX | LOCK_NB) == 0; }
+
+// Whether it belongs to this user, and was made so long ago that its maker has locked it.
+bool IsOldAndOurs(int folder) {
+  constexpr std::time_t kOld = 60;  // s
+  struct stat status {};
+  return ::fstat(folder, &status) == 0 && status.st_uid == ::geteuid() &&
+         std::time(nullptr) - status.st_mtime > kOld;
+}
+
+// Removes what processes that were killed left in `parent`; `pattern` is mkdtemp's.
+void Sweep(const std::filesystem::path& parent, const std::string& pattern) {
+  constexpr std::size_t kRandom = 6;  // characters that mkdtemp chooses
+  const std::string_view purpose = std::string_view(pattern).substr(0, pattern.size() - kRandom);
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(parent, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.size() != pattern.size() || !name.starts_with(purpose)) continue;
+    const int folder = OpenFolder(entry->path().c_str());
+    if (folder < 0) continue;
+    if (IsOldAndOurs(folder) && Lock(folder)) RemoveTree(entry->path().c_str());
+    ::close(folder);
+  }
 }
 
 std::size_t Claim() {
@@ -90,23 +124,27 @@ std::size_t Claim() {
 TemporaryFolder::TemporaryFolder(const std::string& purpose) : slot_(Claim()) {
   Slot& slot = slots[slot_];
   std::error_code error;
-  const std::string name =
-      (std::filesystem::temp_directory_path(error) / ("understudy-" + purpose + "-XXXXXX"))
-          .string();
+  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+  const std::string pattern = "understudy-" + purpose + "-XXXXXX";
+  const std::string name = (parent / pattern).string();
   const bool fits = !error && name.size() < slot.path.size();
   if (fits) std::memcpy(slot.path.data(), name.c_str(), name.size() + 1);
   EndBySignalsCleanly();
+  if (fits) Sweep(parent, pattern);
   if (!fits || ::mkdtemp(slot.path.data()) == nullptr) {
     const std::string why = fits ? std::generic_category().message(errno) : error.message();
     slot.owner = 0;
     throw SetupError(name + ": no temporary folder can be made: " + why + "; set TMPDIR");
   }
   path_ = slot.path.data();
+  lock_ = OpenFolder(slot.path.data());
+  Lock(lock_);
   slot.owner = ::getpid();
 }
 
 TemporaryFolder::~TemporaryFolder() {
   RemoveTree(slots[slot_].path.data());
+  if (lock_ >= 0) ::close(lock_);
   slots[slot_].owner = 0;
 }
 

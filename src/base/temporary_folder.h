@@ -8,11 +8,12 @@
 namespace understudy {
 
 // Makes a folder of its own in TMPDIR (/tmp) and removes it with all that is in it: when it is
-// destroyed, and when SIGINT, SIGTERM or SIGHUP ends the process before that. Only kill -9 and a
-// power cut leave it behind.
+// destroyed, and when SIGINT, SIGTERM or SIGHUP ends the process before that. What kill -9 or a
+// power cut leaves behind, the next of its purpose removes.
 class TemporaryFolder {
  public:
-  // `purpose` is part of its name, understudy-<purpose>-XXXXXX. Throws SetupError if it cannot be
+  // `purpose` is part of its name, understudy-<purpose>-XXXXXX. Removes folders of this purpose
+  // and user that no process holds, once they are a minute old. Throws SetupError if it cannot be
   // made, or if this process has sixteen already.
   explicit TemporaryFolder(const std::string& purpose);
   ~TemporaryFolder();
@@ -24,6 +25,7 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
   std::size_t slot_ = 0;
+  int lock_ = -1;  // the folder itself: while it is open here, nobody sweeps it away
 };
 
 // Removes all temporary folders of this process. For signal handlers: async-signal-safe.

@@ -1,5 +1,6 @@
 #include "base/temporary_folder.h"
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <optional>
@@ -95,6 +96,53 @@ TEST(TemporaryFolderTest, GoesWhenASecondSignalEndsAProcessThatTookTheFirst) {
   const auto [path, status] = EndBySignal(SIGTERM, true);
   EXPECT_FALSE(fs::exists(path)) << path;
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM);
+}
+
+// As if it had been made `seconds` ago.
+void Age(const fs::path& folder, int seconds) {
+  fs::last_write_time(folder, fs::file_time_type::clock::now() - std::chrono::seconds(seconds));
+}
+
+TEST(TemporaryFolderTest, RemovesWhatAKilledProcessLeftOfItsPurpose) {
+  const auto [left, status] = EndBySignal(SIGKILL, false);
+  ASSERT_TRUE(fs::exists(left));
+  Age(left, 100);
+  { const TemporaryFolder other("scene"); }
+  EXPECT_TRUE(fs::exists(left));
+  { const TemporaryFolder folder("signal"); }
+  EXPECT_FALSE(fs::exists(left));
+}
+
+TEST(TemporaryFolderTest, LeavesAFolderThatIsTooYoungToBeLockedYet) {
+  const auto [left, status] = EndBySignal(SIGKILL, false);
+  Age(left, 10);
+  { const TemporaryFolder folder("signal"); }
+  EXPECT_TRUE(fs::exists(left));
+  fs::remove_all(left);
+}
+
+TEST(TemporaryFolderTest, LeavesFoldersThatAProcessHolds) {
+  const TemporaryFolder held("held");
+  Age(held.path(), 100);
+  { const TemporaryFolder folder("held"); }
+  EXPECT_TRUE(fs::exists(held.path()));
+}
+
+TEST(TemporaryFolderTest, LeavesLinksAndLongerNamesOfItsPurpose) {
+  const fs::path parent = fs::temp_directory_path();
+  const TemporaryFolder target("target");
+  Age(target.path(), 100);
+  const fs::path link = parent / "understudy-stray-123456";
+  const fs::path longer = parent / "understudy-stray-1234567";
+  fs::create_directory_symlink(target.path(), link);
+  fs::create_directory(longer);
+  Age(longer, 100);
+  { const TemporaryFolder folder("stray"); }
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(fs::exists(longer));
+  EXPECT_TRUE(fs::exists(target.path()));
+  fs::remove(link);
+  fs::remove(longer);
 }
 
 }  // namespace

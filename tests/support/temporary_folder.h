@@ -9,9 +9,14 @@
 
 namespace understudy::test {
 
-class TemporaryFolder : public understudy::TemporaryFolder {
+class TemporaryFolder {
  public:
-  TemporaryFolder() : understudy::TemporaryFolder("test") {}
+  TemporaryFolder() {
+    std::filesystem::create_directory(path_);
+    std::filesystem::permissions(path_, std::filesystem::perms::owner_all);
+  }
+
+  const std::filesystem::path& path() const { return path_; }
 
   // Writes a file below the folder, its own folders included, and returns its path.
   std::filesystem::path Write(const std::string& name, const std::string& text) const {
@@ -20,6 +25,11 @@ class TemporaryFolder : public understudy::TemporaryFolder {
     std::ofstream(file) << text;
     return file;
   }
+
+ private:
+  understudy::TemporaryFolder held_{"test"};
+  // Below the one that is locked, for control folders have locks of their own.
+  std::filesystem::path path_ = held_.path() / "t";
 };
 
 }  // namespace understudy::test
