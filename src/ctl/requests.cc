@@ -65,8 +65,7 @@ void CtlCommand::AddRequests(CLI::App* ctl) {
       } else {
         parent = ctl->add_subcommand(group, VerbsOf(group));
         parent->require_subcommand(1)->fallthrough();
-        parent->footer("Example: understudy ctl " + group + " " +
-                       std::string(row.name.substr(dot + 1)) + " --help");
+        parent->footer("Example: understudy ctl " + std::string(row.example));
       }
     }
     AddRequest(parent, std::string(row.name.substr(dot + 1)), row);
@@ -88,6 +87,7 @@ void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const Req
     command->add_option(name, words[i], help)
         ->expected(alone ? 0 : most, most)
         ->allow_extra_args(false)
+        ->required(field.required && row.list.empty())  // alone, such a request lists
         ->type_name("");
   }
   command->callback([this, &row, words] {

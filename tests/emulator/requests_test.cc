@@ -243,11 +243,14 @@ TEST_F(RequestsTest, ShowWhatActsOnTheRobot) {
 TEST_F(RequestsTest, AreRefusedForWhatCannotBeDraggedOrPushed) {
   Start();
   EXPECT_EQ(Answered("drag", {{"body", "tail"}, {"to", {0, 0, 0}}}),
-            "the model has no body 'tail'");
-  EXPECT_EQ(Answered("drag", {{"body", "bass"}, {"to", {0, 0, 0}}}),
-            "the model has no body 'bass'; did you mean 'base'?");
+            "the model has no body 'tail'; valid: base, RL_leg, FR_leg, head, FL_leg, RR_leg");
+  EXPECT_EQ(
+      Answered("drag", {{"body", "bass"}, {"to", {0, 0, 0}}}),
+      "the model has no body 'bass'; did you mean 'base'? (valid: base, RL_leg, FR_leg, head, "
+      "FL_leg, RR_leg)");
   EXPECT_EQ(Answered("drag", {{"body", "world"}, {"to", {0, 0, 0}}}), "'world' does not move");
-  EXPECT_EQ(Answered("let_go", "tail"), "the model has no body 'tail'");
+  EXPECT_EQ(Answered("let_go", "tail"),
+            "the model has no body 'tail'; valid: base, RL_leg, FR_leg, head, FL_leg, RR_leg");
   EXPECT_EQ(Answered("push", {{"body", "world"}, {"force", {1, 0, 0}}, {"for", 1}}),
             "'world' does not move");
 }

@@ -227,7 +227,7 @@ TEST_F(PushTest, ByAnImpulseIsTheSameEvenlyOverItsTime) {
 TEST_F(PushTest, OfABodyThatIsNotThereIsRefused) {
   Start();
   EXPECT_EQ(Answered("push", {{"body", "tail"}, {"force", {1, 0, 0}}}),
-            "the model has no body 'tail'");
+            "the model has no body 'tail'; valid: base, RL_leg, FR_leg, head, FL_leg, RR_leg");
 }
 
 TEST_F(PushTest, EndsWithAReset) {
