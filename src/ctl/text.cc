@@ -132,6 +132,11 @@ std::string ServiceText(const ordered_json& motion) {
                                Count(motion.at("state")) + ")";
 }
 
+std::string PowerText(const ordered_json& status) {
+  const auto power = status.at("power").get<std::string>();
+  return power == "booting" ? power + ", " + Fixed(status.at("boots_for"), 0) + " s to go" : power;
+}
+
 std::string FollowedText(const ordered_json& commands) {
   auto state = commands.at("state").get<std::string>();
   if (state == "start") return "nobody yet: the motors hold the start pose or brake";
@@ -190,7 +195,7 @@ std::string StatusText(const ordered_json& status) {
       {"time lost", Fixed(pace.at("shifted"), 3), "s"},
       {"states published", Count(status.at("published"))},
       {"divergences", Count(status.at("divergences"))},
-      {"power", status.at("power").get<std::string>()},
+      {"power", PowerText(status)},
       {"motion service", ServiceText(status.at("motion"))},
       {"motors follow", FollowedText(commands)},
       {"rt/lowcmd writers", Count(commands.at("writers"))},

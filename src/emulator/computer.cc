@@ -154,6 +154,7 @@ void Computer::Silence(bool on) {
 
 void Computer::Report(double t, Status* status) const {
   status->power = power_.state();
+  status->boots_for = power_.boots_for();
   status->silenced = silenced_;
   status->gate = router_.gate().state();
   CopyText(router_.owner().active(), &status->motion_service);

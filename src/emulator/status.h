@@ -53,6 +53,7 @@ struct LoopReading {
 struct Status {
   LoopReading loop;
   robot::PowerState power = robot::PowerState::kOn;
+  double boots_for = 0;   // simulated s until it has booted
   bool silenced = false;  // another robot appeared and publishing has stopped
   double time = 0;        // simulated s
   std::int64_t steps = 0;

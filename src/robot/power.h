@@ -45,6 +45,10 @@ class Power {
   PowerState state() const { return state_; }
   // When it was switched on; 0 before that.
   double since() const { return since_; }
+  // Seconds until it has booted; 0 if it does not boot.
+  double boots_for() const {
+    return state_ == PowerState::kBooting ? std::max(spec_.motion - (now_ - since_), 0.0) : 0;
+  }
   // Whether states are sent and commands heard.
   bool computes() const {
     return state_ == PowerState::kOn ||

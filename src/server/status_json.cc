@@ -126,6 +126,7 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
         {"refused", RefusedJson(status.services)},
         {"lost_replies", status.services.lost_replies}}},
       {"power", robot::Name(status.power)},
+      {"boots_for", status.boots_for},
       {"motion",
        {{"service", status.motion_service.data()},
         {"state", status.motion.id},

@@ -57,6 +57,13 @@ randomized         no
 )");
 }
 
+TEST(CtlTextTest, ARobotThatBootsSaysHowLongItStillTakes) {
+  emulator::Status status;
+  status.power = robot::PowerState::kBooting;
+  status.boots_for = 46.4;
+  EXPECT_THAT(TextOf(status), HasSubstr("power              booting, 46 s to go\n"));
+}
+
 TEST(CtlTextTest, TheStatusHasTheFileThatIsRecordedTo) {
   emulator::Status status;
   status.loop.recording = {};

@@ -32,12 +32,14 @@ TEST(PowerSwitchTest, ComputesFromItsTimeOnAndStartsTheMotionServiceOnce) {
   power.SwitchOn(10);
   EXPECT_EQ(power.since(), 10);
   EXPECT_EQ(power.state(), PowerState::kBooting);
+  EXPECT_EQ(power.boots_for(), 5);
   EXPECT_FALSE(power.Step(11.99));
   EXPECT_FALSE(power.computes());
   EXPECT_FALSE(power.Step(12));
   EXPECT_TRUE(power.computes());
-  EXPECT_FALSE(power.Step(14.99));
+  EXPECT_FALSE(power.Step(14.5));
   EXPECT_EQ(power.state(), PowerState::kBooting);
+  EXPECT_EQ(power.boots_for(), 0.5);
   EXPECT_TRUE(power.Step(15));
   EXPECT_EQ(power.state(), PowerState::kOn);
   EXPECT_FALSE(power.Step(16));

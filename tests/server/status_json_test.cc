@@ -56,6 +56,7 @@ emulator::Status EveryFieldSet() {
   status.services.refused[static_cast<std::size_t>(services::CallRefusal::kState)] = 52;
   status.services.lost_replies = 53;
   status.power = robot::PowerState::kBooting;
+  status.boots_for = 46.5;
   status.motion.dangers[static_cast<std::size_t>(robot::Danger::kHeat)].does =
       robot::Protection::kLieDown;
   status.clamped = true;
@@ -93,7 +94,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"("services":{"requests":51,"refused":{"unknown_api":0,"lease":0,"parameter":0,"state":52,"ignored":0,"goal":0,)"
           R"("name":0,"protected":0,"not_simulated":0,"failed":0,"code":0,"not_served":0,"undecoded":0,)"
           R"("too_many":0,"unmatched":0},"lost_replies":53},)"
-          R"("power":"booting",)"
+          R"("power":"booting","boots_for":46.5,)"
           R"("motion":{"service":"mcf","state":1001,"name":"damping","mode":7,"protects":["heat"],"arm_weight":0.25},)"
           R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
           R"("script":{"done":3,"refused":1,"waiting":2,"where":"s.yaml:4","waits_for":"lowcmd arrives"},)"
