@@ -362,17 +362,22 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
   version->footer("Example: understudy version --json");
   version->callback([=] { *chosen = [=] { return VersionCommand(*flag); }; });
 
+  // These write pages of docs/reference: for who changes Understudy, so help does not list them.
+  constexpr const char* kHidden = "";
   CLI::App* services =
       app->add_subcommand("services", "Print the apis of all services as Markdown");
+  services->group(kHidden);
   services->footer("Example: understudy services > docs/reference/services.md");
   services->callback([=] { *chosen = ServicesCommand; });
 
   CLI::App* faults = app->add_subcommand("faults", "Print all faults of components as Markdown");
+  faults->group(kHidden);
   faults->footer("Example: understudy faults > docs/reference/faults.md");
   faults->callback([=] { *chosen = FaultsCommand; });
 
   CLI::App* requests = app->add_subcommand(
       "requests", "Print all requests to a running robot as Markdown or for OpenAPI");
+  requests->group(kHidden);
   requests->add_flag("--openapi", *flag, "Print the paths of openapi.yaml");
   requests->footer("Example: understudy requests > docs/reference/requests.md");
   requests->callback([=] { *chosen = [=] { return RequestsCommand(*flag); }; });

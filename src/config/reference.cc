@@ -21,7 +21,21 @@ std::string ConfigReference() {
   return "# Configuration\n\n"
          "Written by `understudy run go2 --help-config > docs/reference/config.md` from the table "
          "of "
-         "keys.\n\n" +
+         "keys.\n\n"
+         "A configuration is YAML of these keys. A run has several, one above the other; of each "
+         "key the last value counts:\n"
+         "\n"
+         "1. the scene, if `scene` is a YAML file\n"
+         "2. the robot's file, such as config/robots/go2.yaml, above what it `extends`; then its "
+         "revision and hands\n"
+         "3. the profile that `profile` names, of config/profiles\n"
+         "4. files of `--config`, in their order\n"
+         "5. `--set KEY=VALUE`, in their order; `--start`, `--scene` and the other options are "
+         "short for keys\n"
+         "\n"
+         "`understudy run go2 --print-config` prints the result, and `understudy check FILE` "
+         "checks a file.\n"
+         "\n" +
          schema::Markdown(Tables());
 }
 

@@ -58,10 +58,12 @@ nlohmann::json WordJson(const Field& field, const Taken& taken) {
   return field.words[static_cast<std::size_t>(taken.number)];
 }
 
-std::string Joined(std::span<const std::string_view> words) {
+// `none` stands for the empty word; "" leaves it out.
+std::string Joined(std::span<const std::string_view> words, std::string_view none) {
   std::string text;
-  for (const std::string_view word : words) {
-    text += (text.empty() ? "" : ", ") + (word.empty() ? "\"\"" : std::string(word));
+  for (std::string_view word : words) {
+    if (word.empty()) word = none;
+    if (!word.empty()) text += (text.empty() ? "" : ", ") + std::string(word);
   }
   return text;
 }
@@ -131,13 +133,13 @@ std::string Expected(const Field& field) {
   constexpr std::string_view kListOf = "a list of ";
   std::string text(field.type->expected);
   if (field.count > 0) text.insert(kListOf.size(), std::to_string(field.count) + " ");
-  return text + (field.type->has_range() ? RangeClause(field) : Joined(field.words));
+  return text + (field.type->has_range() ? RangeClause(field) : Joined(field.words, ""));
 }
 
 std::string Allowed(const Field& field) {
   const std::string count = field.count > 0 ? std::to_string(field.count) + " " : "";
   return count + std::string(field.type->allowed) +
-         (field.type->has_range() ? RangeText(field.range) : Joined(field.words)) +
+         (field.type->has_range() ? RangeText(field.range) : Joined(field.words, "\"\"")) +
          (field.nullable ? ", null" : "");
 }
 

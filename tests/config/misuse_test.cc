@@ -35,7 +35,7 @@ TEST_F(ConfigMisuseTest, OfAFileIsToldWithItsLineItsKeyAndWhatWasExpected) {
        "'lenient'?"},
       {"gate: loose\n", "run.yaml:1: gate.mode: expected one of strict, lenient, got 'loose'"},
       {"start: {pose: siting}\n",
-       "run.yaml:1: start.pose: expected one of \"\", lying, standing, hanging, clamped, got "
+       "run.yaml:1: start.pose: expected one of lying, standing, hanging, clamped, got "
        "'siting'; did you mean 'standing'?"},
       {"gate:\n  timeout:\n",
        "run.yaml:2: gate.timeout: expected a number from 0.001 to 3600 s, got nothing"},

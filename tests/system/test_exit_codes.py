@@ -139,6 +139,23 @@ def test_an_option_that_is_none_is_answered_with_the_nearest(understudy, argumen
     assert text in done.stderr
 
 
+@pytest.mark.parametrize(("verb", "form"), [
+    (("push",), "[BODY] [FORCE X 3]"),
+    (("fault",), "COMPONENT FAULT"),
+    (("crane", "lower"), "BY"),
+])
+def test_a_help_has_brackets_around_what_may_be_left_out(understudy, verb, form):
+    usage = understudy("ctl", *verb, "--help").stdout.split("Usage: ")[1].splitlines()[0]
+
+    assert usage == f"understudy ctl {' '.join(verb)} [OPTIONS] {form}"
+
+
+def test_help_lists_no_command_that_only_writes_pages_of_the_manual(understudy):
+    text = understudy("--help").stdout
+
+    assert "\n  requests" not in text and "\n  rehearse" in text
+
+
 def test_a_robot_may_be_written_as_the_vendor_writes_it(understudy):
     assert understudy("run", "Go2W", "--print-config").returncode == 0
 
