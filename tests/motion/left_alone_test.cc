@@ -1,6 +1,9 @@
-// Checks that a robot without commands stays as it is.
+// Checks that a robot without commands stays as it is, for 100 s; UNDERSTUDY_REST_SECONDS=300 has
+// it rest longer.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,7 +14,16 @@
 namespace understudy::motion {
 namespace {
 
-constexpr double kSeconds = 300, kJoint = 0.02, kBase = 0.002;  // s, rad, m
+// Joints may creep by so much in 300 s, and in less time by as much less. A base sways, and that
+// does not grow.
+constexpr double kWhole = 300, kJoint = 0.02, kBase = 0.002;  // s, rad, m
+
+double Seconds() {
+  const char* const given = std::getenv("UNDERSTUDY_REST_SECONDS");
+  return given == nullptr ? 100 : std::stod(given);
+}
+
+double Share() { return Seconds() / kWhole; }
 
 struct Stillness {
   std::vector<double> q;
@@ -23,7 +35,7 @@ struct Stillness {
 
   void ExpectKept(const MotionRig& rig) const {
     const Stillness now(rig);
-    for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(now.q[i], q[i], kJoint) << i;
+    for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(now.q[i], q[i], kJoint * Share()) << i;
     EXPECT_LT((now.base - base).norm(), kBase);
   }
 };
@@ -37,7 +49,7 @@ TEST_P(QuadrupedTest, LiesStill) {
       ConfigOf(GetParam(), {"robot.motion.quadruped.stands_up=false", "start.pose=lying"}));
   ASSERT_TRUE(rig.Run(2));
   const Stillness before(rig);
-  ASSERT_TRUE(rig.Run(kSeconds));
+  ASSERT_TRUE(rig.Run(Seconds()));
   before.ExpectKept(rig);
 }
 
@@ -45,7 +57,7 @@ TEST_P(QuadrupedTest, StandsStillUnderItsService) {
   MotionRig rig(ConfigOf(GetParam(), {"start.pose=standing"}));
   ASSERT_TRUE(rig.Run(5));
   const Stillness before(rig);
-  ASSERT_TRUE(rig.Run(kSeconds));
+  ASSERT_TRUE(rig.Run(Seconds()));
   before.ExpectKept(rig);
 }
 
@@ -82,7 +94,7 @@ TEST(LeftAloneAfterwardsTest, AGo2LiesStillAfterTheVendorsStandExample) {
   ASSERT_TRUE(rig.Run(20));  // the legs open under motors that only brake
   EXPECT_LT(rig.height(), 0.15);
   const Stillness before(rig);
-  ASSERT_TRUE(rig.Run(kSeconds));
+  ASSERT_TRUE(rig.Run(Seconds()));
   before.ExpectKept(rig);
 }
 
@@ -110,8 +122,8 @@ TEST_P(HumanoidTest, HangsWithoutTurningOrSwinging) {
     low = low.cwiseMin(now);
     high = high.cwiseMax(now);
   };
-  ASSERT_TRUE(rig.Run(kSeconds - 30));
-  EXPECT_LT(turned, kDegree);
+  ASSERT_TRUE(rig.Run(Seconds() - 30));
+  EXPECT_LT(turned, kDegree * Share());
   EXPECT_LT((high - low).x() / 2, 0.2 * kDegree);
   EXPECT_LT((high - low).y() / 2, 0.2 * kDegree);
 }
