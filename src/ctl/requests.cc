@@ -65,7 +65,9 @@ void CtlCommand::AddRequests(CLI::App* ctl) {
       } else {
         parent = ctl->add_subcommand(group, VerbsOf(group));
         parent->require_subcommand(1)->fallthrough();
-        parent->footer("Example: understudy ctl " + std::string(row.example));
+        const std::string verb = group + " " + std::string(row.name.substr(dot + 1));
+        parent->footer("Example: understudy ctl " + std::string(row.example) +
+                       "; `understudy ctl " + verb + " --help` says more");
       }
     }
     AddRequest(parent, std::string(row.name.substr(dot + 1)), row);

@@ -140,7 +140,7 @@ def test_an_option_that_is_none_is_answered_with_the_nearest(understudy, argumen
 
 
 @pytest.mark.parametrize(("verb", "form"), [
-    (("push",), "[BODY] [FORCE X 3]"),
+    (("push",), "[BODY] [FORCE(3x)]"),
     (("fault",), "COMPONENT FAULT"),
     (("crane", "lower"), "BY"),
 ])
