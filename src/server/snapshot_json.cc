@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "emulator/request.h"
+#include "robot/damage_reached.h"
 #include "robot/remote_keys.h"
 #include "server/http.h"
 
@@ -189,11 +190,16 @@ class Writer {
               "torque_limit", snapshot_.limits[i].torque, "at_speed_limit", motor.at_speed_limit,
               "speed_limit", snapshot_.limits[i].speed, "tripped", motor.tripped, "hottest",
               motor.hottest_c, "hardest_stop", motor.hardest_stop, "largest_jump",
-              motor.largest_jump, "jump_limit", snapshot_.limits[i].jump);
+              motor.largest_jump, "jump_limit", snapshot_.limits[i].jump, "mark",
+              NameOf(WorstMark(motor, snapshot_.limits[i], snapshot_.damage_limits)));
   }
   void Put(const robot::DamageLimit& limit) {
+    const robot::DamageReached reached = ReachedOf(limit, snapshot_.damage, snapshot_.limits);
     PutObject("figure", limit.figure, "limit", limit.limit, "unit", limit.unit, "source",
-              limit.source);
+              limit.source, "reached", reached.value, "reached_unit", reached.unit, "held_against",
+              reached.limit, "motor",
+              reached.motor ? std::string_view(snapshot_.motor_names[*reached.motor]) : "", "mark",
+              NameOf(reached.mark));
   }
 
   template <class Value>
