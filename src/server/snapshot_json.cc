@@ -8,6 +8,7 @@
 #include <concepts>
 #include <iterator>
 #include <ranges>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -256,6 +257,33 @@ nlohmann::ordered_json SettingsJson(const emulator::Snapshot& snapshot) {
     }
   }
   return {{"settings", settings}};
+}
+
+nlohmann::ordered_json FaultsJson(const emulator::Snapshot& snapshot) {
+  using nlohmann::ordered_json;
+  ordered_json components = ordered_json::array(), kinds = ordered_json::array();
+  std::set<const robot::FaultKind*> told;
+  for (std::size_t i = 0; i < snapshot.components.size(); ++i) {
+    if (snapshot.component_faults[i].empty()) continue;
+    ordered_json names = ordered_json::array();
+    for (const robot::FaultKind* kind : snapshot.component_faults[i]) {
+      names.push_back(kind->name);
+      if (!told.insert(kind).second) continue;
+      kinds.push_back({{"of", NameOf(kind->of)},
+                       {"fault", kind->name},
+                       {"does", kind->does},
+                       {"unit", kind->unit},
+                       {"range", nullptr},
+                       {"default", nullptr}});
+      if (!kind->has_magnitude()) continue;
+      kinds.back()["range"] = {kind->low, kind->high};
+      kinds.back()["default"] = kind->otherwise;
+    }
+    components.push_back({{"name", snapshot.components[i]},
+                          {"of", NameOf(snapshot.component_faults[i].front()->of)},
+                          {"faults", names}});
+  }
+  return {{"components", components}, {"kinds", kinds}};
 }
 
 std::string SnapshotJson(const emulator::Snapshot& snapshot, emulator::SnapshotParts parts) {

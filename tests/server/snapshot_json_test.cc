@@ -75,6 +75,28 @@ TEST(SnapshotJsonTest, HasEachFigureOfDamageWithItsLimitAndSource) {
   EXPECT_EQ(damage["motors"][1]["mark"], "ok");
 }
 
+TEST(SnapshotJsonTest, OffersOfEachComponentTheFaultsThatItCanHave) {
+  static constexpr robot::FaultKind kLimp{
+      .of = robot::Component::kMotor, .name = "limp", .does = "Nothing"};
+  static constexpr robot::FaultKind kHot{.of = robot::Component::kMotor,
+                                         .name = "hot",
+                                         .does = "Warm",
+                                         .unit = "°C",
+                                         .low = 0,
+                                         .high = 200,
+                                         .otherwise = 60};
+  emulator::Snapshot shown;
+  shown.components = {"knee", "rt/none", "hip"};
+  shown.component_faults = {{&kLimp, &kHot}, {}, {&kHot}};
+  EXPECT_EQ(FaultsJson(shown), nlohmann::ordered_json::parse(R"({
+      "components": [{"name": "knee", "of": "motor", "faults": ["limp", "hot"]},
+                     {"name": "hip", "of": "motor", "faults": ["hot"]}],
+      "kinds": [{"of": "motor", "fault": "limp", "does": "Nothing", "unit": "", "range": null,
+                 "default": null},
+                {"of": "motor", "fault": "hot", "does": "Warm", "unit": "°C",
+                 "range": [0.0, 200.0], "default": 60.0}]})"));
+}
+
 TEST(SnapshotJsonTest, HasEveryPart) {
   const json snapshot = json::parse(SnapshotJson(SomeSnapshot(), emulator::kAllSnapshotParts));
   EXPECT_EQ(snapshot["step"], 7);
