@@ -51,20 +51,29 @@ function led(chords, chord, state) {
   return chord.effects.find(({ from }) => from === state)?.to;
 }
 
-// The chords to be pressed before one, the fewest: [] if it works now, null if no way is known. Nobody
-// recovers a robot that has not fallen.
-export function wayTo(chord, chords, state) {
+// Nobody recovers a robot that has not fallen, nor lets one drop that stands, where there is another way.
+const ROUGH = [["debug", "recovery_stand", "damp", "zero_torque"], ["debug", "recovery_stand"]];
+
+function shortestWay(chord, chords, state, without) {
   const seen = new Set([state]);
   const ways = [{ at: state, steps: [] }];
   for (let way = ways.shift(); way; way = ways.shift()) {
     if (led(chords, chord, way.at) !== undefined) return way.steps;
-    for (const step of chords) {
-      if (step.does === "recovery_stand" || step.does === "debug") continue;
+    for (const step of chords.filter(({ does }) => !without.includes(does))) {
       const to = led(chords, step, way.at);
       if (to === undefined || seen.has(to)) continue;
       seen.add(to);
       ways.push({ at: to, steps: [...way.steps, step] });
     }
+  }
+  return null;
+}
+
+// The chords to be pressed before one, the fewest: [] if it works now, null if no way is known.
+export function wayTo(chord, chords, state) {
+  for (const without of ROUGH) {
+    const way = shortestWay(chord, chords, state, without);
+    if (way) return way;
   }
   return null;
 }
