@@ -66,7 +66,7 @@ std::vector<std::vector<std::size_t>> Together(std::span<const Parameter> parame
   return sets;
 }
 
-// Levenberg-Marquardt from x, at most kMostSteps steps, each of which is told. Returns the rms, or
+// Levenberg-Marquardt from x, at most kMostSteps steps. Reports each. Returns the rms, or
 // nullopt if a signal asked to stop.
 std::optional<double> Solve(Problem* problem, VectorXd* x,
                             const std::function<void(int step)>& told) {

@@ -1,4 +1,4 @@
-// What the keys do, and where the rest is told: opened by ? and by the button in the bar.
+// What the keys do, and where to read on: opened by ? and by the button in the bar.
 import { byId, focusWants } from "./dom.js";
 
 export function makeHelp() {
