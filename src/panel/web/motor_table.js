@@ -82,7 +82,7 @@ class Row {
 
   // In words too: colour alone is not for everybody.
   showState(reading, levels, atStop, atLimit, faults) {
-    const words = [...faults.map((fault) => `fault: ${fault}`), ...reading.errors];
+    const words = [...(faults.length ? [`fault: ${faults.join(", ")}`] : []), ...reading.errors];
     if (levels.casing === "bad" || levels.winding === "bad") words.push("hot");
     const bad = words.length > 0;
     if (!bad && (levels.casing || levels.winding)) words.push("warm");
