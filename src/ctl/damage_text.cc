@@ -12,9 +12,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// "43.45 m/s²".
+// "43.45 m/s²", "858.2 kJ".
 std::string Amount(const ordered_json& value, const std::string& unit) {
+  constexpr double kMany = 1e4;  // J
   if (value.is_null()) return "none known";
+  if (unit == "J" && value.get<double>() >= kMany) return Amount(value.get<double>() / 1000, "kJ");
   const std::string number = Printed("%.4g", value.get<double>());
   return unit.empty() ? number : number + " " + unit;
 }

@@ -182,6 +182,8 @@ ordered_json SheetOfDamage() {
       "limits": [
         {"figure": "shock", "limit": 39.25, "unit": "m/s²", "source": "derived: so", "reached": 35,
          "reached_unit": "m/s²", "held_against": 39.25, "motor": "", "mark": "near"},
+        {"figure": "energy", "limit": 858200, "unit": "J", "source": "derived: so", "reached": 187,
+         "reached_unit": "J", "held_against": 858200, "motor": "", "mark": "ok"},
         {"figure": "falls", "limit": 0, "unit": "", "source": "assumed: none", "reached": 0,
          "reached_unit": "", "held_against": 0, "motor": "", "mark": "ok"},
         {"figure": "at_torque_limit", "limit": null, "unit": "N·m", "source": "vendor: URDF",
@@ -198,6 +200,7 @@ TEST(CtlTextTest, DamageIsATableOfFiguresWithLimitsAndMarksAndOfTheMotorsThatMat
   EXPECT_EQ(DamageText(SheetOfDamage(), false),
             R"(FIGURE           REACHED  LIMIT                MARK    MOTOR
 shock            35 m/s²  39.25 m/s²           near
+energy           187 J    858.2 kJ             ok
 falls            0        0                    ok
 at_torque_limit  0.25 s   0 s at 45.43 N·m     BEYOND  calf
 at_speed_limit   0 s      0 s at each motor's  ok
@@ -220,7 +223,7 @@ TEST(CtlTextTest, AllOfTheDamageHasEveryMotorAndTheSourcesOfTheLimits) {
 TEST(CtlTextTest, ASheetWithoutDamageSaysSoAndHasNoMotors) {
   ordered_json sheet = SheetOfDamage();
   sheet["damage"]["motors"][1]["mark"] = "ok";
-  sheet["damage"]["limits"][2]["mark"] = "ok";
+  sheet["damage"]["limits"][3]["mark"] = "ok";
   const std::string text = DamageText(sheet, false);
   EXPECT_THAT(text, HasSubstr("nothing is beyond its limit"));
   EXPECT_THAT(text, Not(HasSubstr("hottest")));
