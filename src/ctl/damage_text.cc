@@ -31,7 +31,7 @@ std::string LimitText(const ordered_json& row) {
   const auto unit = row.at("unit").get<std::string>();
   const ordered_json& limit = row.at("held_against");
   if (row.at("reached_unit") == unit) return Amount(limit, unit);
-  return "0 s at " + (limit.is_null() ? "each motor's" : Amount(limit, unit));
+  return "0 s at " + (limit.is_null() ? "each motor's limit" : Amount(limit, unit));
 }
 
 std::string FiguresText(const ordered_json& limits, bool sources) {

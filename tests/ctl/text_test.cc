@@ -198,13 +198,13 @@ ordered_json SheetOfDamage() {
 
 TEST(CtlTextTest, DamageIsATableOfFiguresWithLimitsAndMarksAndOfTheMotorsThatMatter) {
   EXPECT_EQ(DamageText(SheetOfDamage(), false),
-            R"(FIGURE           REACHED  LIMIT                MARK    MOTOR
-shock            35 m/s²  39.25 m/s²           near
-energy           187 J    858.2 kJ             ok
-falls            0        0                    ok
-at_torque_limit  0.25 s   0 s at 45.43 N·m     BEYOND  calf
-at_speed_limit   0 s      0 s at each motor's  ok
-largest_jump     0.2 rad  none known           ok      calf
+            R"(FIGURE           REACHED  LIMIT                      MARK    MOTOR
+shock            35 m/s²  39.25 m/s²                 near
+energy           187 J    858.2 kJ                   ok
+falls            0        0                          ok
+at_torque_limit  0.25 s   0 s at 45.43 N·m           BEYOND  calf
+at_speed_limit   0 s      0 s at each motor's limit  ok
+largest_jump     0.2 rad  none known                 ok      calf
 
 MOTOR  MARK    at_torque_limit [s]  at_speed_limit [s]  tripped [s]  hottest [°C]  hardest_stop [rad/s]  largest_jump [rad]
 calf   BEYOND  0.25                 0                   0            40            0                     0.2

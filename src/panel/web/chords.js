@@ -6,7 +6,7 @@ const NO_SERVICE = "no motion service is on";
 const PRESS = 0.12; // s of wall time that the keys of a chord are down; *assumed*
 const BETWEEN = 250; // ms between two presses of one; the robot allows 500 of simulated time
 const LEAST = 0.02, MOST = 10; // s of simulated time: a few ticks, and no key for ever
-const ANSWER = 1500; // ms of wall time within which a state changes or a refusal comes; *assumed*
+const ANSWER = 2000; // ms of wall time within which a state changes or a refusal comes; *assumed*
 const SHOWN = 8000; // ms that what came of a click stays on its button; *assumed*
 
 // PRESS in simulated seconds; `speed` 0 is unbounded, and taken for 20.
@@ -96,7 +96,7 @@ export class Chords {
     this.rows = [];
     this.chords = [];
     this.damp = null;
-    this.clicked = null; // {row, before: the state, until: wall time}
+    this.clicked = null; // {row, before: the status of the motion service, until: ms}
     byId("damp").addEventListener("click", () => this.damp && this.press(this.damp));
   }
 
@@ -128,17 +128,21 @@ export class Chords {
 
   async click(row) {
     this.say(row, "…", "");
-    const clicked = { row, before: this.motion, until: performance.now() + ANSWER };
+    const clicked = { row, before: this.motion, until: Infinity };
     this.clicked = clicked;
     const refused = await this.press(row.chord);
-    if (refused) this.answer(refused, "bad");
+    if (refused && this.clicked === clicked) this.answer(refused, "bad");
     else clicked.until = performance.now() + ANSWER;
   }
 
-  // What came of the last click, once.
+  // What came of the last click.
   answer(text, level) {
     const { row } = this.clicked;
     this.clicked = null;
+    this.tell(row, text, level);
+  }
+
+  tell(row, text, level) {
     this.say(row, text, level);
     setText(byId("chords-said"), `${upper(row.chord.name)}: ${text}`);
     setClass(byId("chords-said"), level);
@@ -187,8 +191,19 @@ export class Chords {
       this.draw(row);
     }
     setText(byId("chords-state"), on ? `${motion.service}: ${motion.name} (${motion.state})` : NO_SERVICE);
-    if (this.clicked && performance.now() > this.clicked.until) {
-      this.answer(`pressed; the state stays ${motion.name} (${motion.state})`, "");
+    this.askState();
+  }
+
+  // Where no event has said what came of a click, the state does; it may still change.
+  askState() {
+    if (!this.clicked) return;
+    const { row, before, until } = this.clicked;
+    const { name, state, service } = this.motion;
+    if (state !== before.state && service === before.service) {
+      this.answer(`taken: ${name} (${state})`, "good");
+    } else if (performance.now() > until) {
+      this.clicked.until = Infinity;
+      this.tell(row, `pressed; the state stays ${name} (${state})`, "");
     }
   }
 
