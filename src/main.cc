@@ -147,8 +147,7 @@ int Main(int argc, char** argv) {
     if (companion.command->parsed()) commands::BecomeCompanion(companion, argv);
   }
   if (!ctl.chosen()) return chosen();
-  ctl.Run();
-  return 0;
+  return static_cast<int>(ctl.Run());
 }
 
 // Fails every command whose output could not be written completely, as to a full disk.

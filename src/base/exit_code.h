@@ -14,7 +14,7 @@ enum class ExitCode {
   kDiverged = 7,   // the physics diverged and physics.on_divergence is stop
   kSocket = 8,     // the robot's name or control socket is in use or cannot be used
   kRecord = 9,     // a recording cannot be written or read
-  kFailed = 10,    // rehearse, judge: an expectation failed
+  kFailed = 10,    // rehearse, judge: an expectation failed; ctl damage --check: one is beyond
   kOpen = 11,      // rehearse, judge: none failed, and one could not be judged
   kUnfit = 12,     // doctor: something is wrong
 };

@@ -2,11 +2,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "base/errors.h"
 #include "base/exit_code.h"
 #include "base/nearest_word.h"
+#include "base/progress_bar.h"
 #include "base/signals.h"
 #include "bus/participant.h"
 #include "commands/commands.h"
@@ -68,12 +70,24 @@ int IdentifyCommand(const IdentifyArguments& arguments) {
                                 scene.path(), config.physics.timestep,
                                 arguments.jobs > 0 ? arguments.jobs : std::min(cores, kMostJobs));
   const identify::Basis basis(config.robots[0].spec, replay.bench(), arguments.by_joint);
-  const std::optional<identify::Identification> result = identify::Identify(
-      replay, basis, recordings, held_out,
-      {.parameters = arguments.parameters,
-       .window = arguments.window,
-       .hold_out = std::max(0.0, share)},
-      [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
+  std::optional<ProgressBar> bar;
+  const identify::FitTold told{.line =
+                                   [&](const std::string& line) {
+                                     bar.reset();  // leaves its line
+                                     std::fprintf(stderr, "%s\n", line.c_str());
+                                   },
+                               .progress =
+                                   [&](int done, int most) {
+                                     if (!bar) bar.emplace("fit", ProgressOf::kSteps);
+                                     bar->Show(done, most);
+                                   }};
+  const std::optional<identify::Identification> result =
+      identify::Identify(replay, basis, recordings, held_out,
+                         {.parameters = arguments.parameters,
+                          .window = arguments.window,
+                          .hold_out = std::max(0.0, share)},
+                         told);
+  bar.reset();
   if (!result) {
     std::fputs("stopped before the fit was finished\n", stderr);
     return 128 + StopSignal();
@@ -128,9 +142,12 @@ int ExciteCommand(ExciteArguments arguments) {
                               .file = config::ModelFile(config.robots[0].spec),
                               .hands = config::HandModelFiles(config.robots[0].spec)},
                              scene.path(), config.physics.timestep);
-  const identify::ExciteEnd end =
-      identify::Excite(config.robots[0].spec, bench, arguments.settings,
-                       [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
+  std::optional<ProgressBar> bar(std::in_place, "excite");
+  const identify::ExciteEnd end = identify::Excite(
+      config.robots[0].spec, bench, arguments.settings,
+      [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); },
+      [&](double done, double whole) { bar->Show(done, whole); });
+  bar.reset();  // leaves its line
   if (end == identify::ExciteEnd::kDone) return 0;
   if (end == identify::ExciteEnd::kStopped) {
     std::fputs("stopped; the joints are damped\n", stderr);

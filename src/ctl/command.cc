@@ -118,16 +118,7 @@ void CtlCommand::AddReading(CLI::App* ctl) {
       "Examples:\n"
       "  understudy ctl snapshot --parts com,feet\n"
       "  understudy ctl snapshot --parts imus --watch --hz 10 | jq .imus[0].gyroscope");
-  AddAction(ctl, "damage", "Show what the run would have done to the robot",
-            [this] { Show("/snapshot?parts=damage", DamageText); })
-      ->footer(
-          "For each motor: seconds at the limits of torque, speed and temperature, the speed\n"
-          "at which it ran into the end of its range (rad/s), and the largest jump of a\n"
-          "command (rad). For the robot: energy (J), peak current (A), hardest shock (m/s²).\n"
-          "All since the start of the run.\n"
-          "Examples:\n"
-          "  understudy ctl damage\n"
-          "  understudy ctl damage --json | jq .damage.falls");
+  AddDamage(ctl);
   AddAction(ctl, "faults", "Show what is wrong with the robot", [this] {
     Show("/snapshot?parts=faults", FaultsText);
   })->footer("Example: understudy ctl faults; `ctl fault --help` says how to cause one");
@@ -155,6 +146,21 @@ void CtlCommand::AddReading(CLI::App* ctl) {
   AddAction(ctl, "panel", "Print the address of the robot's panel for a browser", [this] {
     Show("/panel", UrlOf);
   })->footer("Example: xdg-open \"$(understudy ctl panel)\"");
+}
+
+void CtlCommand::AddDamage(CLI::App* ctl) {
+  CLI::App* damage = AddAction(ctl, "damage", "Show what the run would have done to the robot",
+                               [this] { ShowDamage(); });
+  damage->add_flag("--all", all_, "All motors, and where the limits come from");
+  damage->add_flag("--check", check_, "Exit with 10 if a figure is beyond its limit");
+  damage->footer(
+      "Of each figure what it has reached since the start of the run, its limit, and a mark:\n"
+      "ok, near (from 80 % of the limit on) or BEYOND. Of the motors' figures the motor that is\n"
+      "worst by its limit counts. Motors that are near a limit or beyond one have a row.\n"
+      "Examples:\n"
+      "  understudy ctl damage\n"
+      "  understudy ctl damage --check           for scripts and CI: the exit code says it\n"
+      "  understudy ctl damage --json | jq .damage.falls");
 }
 
 CLI::App* CtlCommand::AddAction(CLI::App* parent, const std::string& name, const std::string& help,
@@ -198,6 +204,14 @@ void CtlCommand::ShowSnapshots() const {
                                   "/snapshots?hz=" + std::to_string(hz_) + "&" + parts,
                                   kCallTimeout);
   while (true) *out_ << snapshots.Next() << '\n' << std::flush;
+}
+
+void CtlCommand::ShowDamage() {
+  const std::string reply = Ask(client::ChosenSocket(robot_), "GET", "/snapshot?parts=damage", "");
+  *out_ << Read(reply, [&](const ordered_json& snapshot) {
+    if (check_ && BeyondCount(snapshot) > 0) code_ = ExitCode::kFailed;
+    return json_ ? reply : DamageText(snapshot, all_);
+  });
 }
 
 void CtlCommand::ShowEvents() const {

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/exit_code.h"
 #include "client/robot_choice.h"
 #include "emulator/request.h"
 
@@ -21,8 +22,8 @@ namespace understudy::ctl {
 
 // Adds the subcommand `ctl` to a command line and runs it if parsing has `chosen` it:
 //
-//   status [--watch]   wait   list   snapshot [--watch]   scene   events [--follow]
-//   timings   metrics   stop   panel
+//   status [--watch]   wait   list   snapshot [--watch]   damage [--check]   scene
+//   events [--follow]   timings   metrics   stop   panel
 //
 // and every request of the table (emulator/request.h): pause, crane lower BY, push BODY FORCE ...
 // Each takes --json, and --name NAME or --socket PATH; without these, $UNDERSTUDY_CONTROL (a socket
@@ -40,7 +41,11 @@ class CtlCommand {
 
   // Runs that subcommand. Throws ControlError if the robot refuses or is not there, if several run
   // and none is named, and if `wait` times out.
-  void Run() { action_(); }
+  // Returns the exit code.
+  ExitCode Run() {
+    action_();
+    return code_;
+  }
 
  private:
   // Formats the JSON of a reply for a person.
@@ -49,12 +54,14 @@ class CtlCommand {
   CLI::App* AddAction(CLI::App* parent, const std::string& name, const std::string& help,
                       std::function<void()> action);
   void AddReading(CLI::App* ctl);
+  void AddDamage(CLI::App* ctl);
   void AddRequests(CLI::App* ctl);
   void AddRequest(CLI::App* parent, const std::string& verb, const emulator::RequestRow& row);
 
   void ShowStatus() const;
   void WatchStatus(const std::filesystem::path& socket) const;
   void ShowSnapshots() const;
+  void ShowDamage();
   void ShowEvents() const;
   void ShowLog() const;
   void AwaitReady() const;
@@ -71,6 +78,9 @@ class CtlCommand {
   client::RobotChoice robot_;
   bool json_ = false;
   bool watch_ = false;
+  bool all_ = false;
+  bool check_ = false;
+  ExitCode code_ = ExitCode::kOk;
   double timeout_ = 30;  // s
   double every_ = 1;     // s
   double hz_ = 60;

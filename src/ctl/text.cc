@@ -244,8 +244,6 @@ std::string FieldsText(const ordered_json& object) {
   return text;
 }
 
-std::string DamageText(const ordered_json& snapshot) { return FieldsText(snapshot.at("damage")); }
-
 std::string FaultsText(const ordered_json& snapshot) {
   const ordered_json& faults = snapshot.at("faults");
   return faults.empty() ? "no faults\n" : TableText(faults);

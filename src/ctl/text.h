@@ -1,6 +1,7 @@
 // Formats replies of a robot for a person.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,14 @@ std::string StatusText(const nlohmann::ordered_json& status);
 // Formats any JSON object: lines of key and value, with lists of objects as tables below.
 std::string FieldsText(const nlohmann::ordered_json& object);
 
-// Format the parts `damage` and `faults` of a snapshot as tables.
-std::string DamageText(const nlohmann::ordered_json& snapshot);
+// Formats the part `damage` of a snapshot: a table of the figures with limits and marks, and one of
+// the motors that are near a limit or beyond it; `all` adds the other motors and the limits'
+// sources.
+std::string DamageText(const nlohmann::ordered_json& snapshot, bool all);
+// Returns how many figures of the part `damage` are beyond their limits.
+std::int64_t BeyondCount(const nlohmann::ordered_json& snapshot);
+
+// Formats the part `faults` of a snapshot as a table.
 std::string FaultsText(const nlohmann::ordered_json& snapshot);
 
 // Formats the reply to GET /settings as a table.

@@ -94,7 +94,8 @@ struct Snapshot {
   std::vector<std::string> motor_names;     // in motor order
   std::vector<std::string> command_topics;  // by number; "" where there is none
   std::vector<std::string> components;      // that can have faults
-  std::vector<robot::MotorLimits> limits;   // in motor order
+  std::vector<std::vector<const robot::FaultKind*>> component_faults;  // that each can have
+  std::vector<robot::MotorLimits> limits;                              // in motor order
   std::vector<robot::DamageLimit> damage_limits;
   double trip_c = 0;                        // °C
   std::vector<schema::Entry> setting_keys;  // that can change

@@ -31,7 +31,11 @@ Snapshot World::MakeSnapshot(std::size_t robot) const {
   snapshot.imu_count = spec.imu.secondary_site.empty() ? 1 : 2;
   snapshot.feet.resize(spec.feet.size());
   snapshot.command.resize(snapshot.motor_names.size());
-  snapshot.components = robots_[robot].faults().components();
+  const robot::FaultBank& faults = robots_[robot].faults();
+  snapshot.components = faults.components();
+  for (std::size_t i = 0; i < snapshot.components.size(); ++i) {
+    snapshot.component_faults.push_back(faults.KindsOf(i));
+  }
   snapshot.limits = robot::MotorLimitsOf(spec);
   snapshot.damage_limits = robot::DamageLimitsOf(spec);
   snapshot.trip_c = spec.thermal.trip_c;

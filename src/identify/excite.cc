@@ -38,6 +38,7 @@ constexpr auto kAskAgain = 300ms;
 constexpr auto kSilence = 200ms;      // without a state, after which the program ends
 constexpr double kInTheWay = 0.6;     // rad between a joint and its command
 constexpr double kWeightShare = 0.3;  // of the weight on the feet: it stands on them
+constexpr double kShowEvery = 0.1;    // s
 constexpr double kGravity = 9.81;     // m/s²
 
 constexpr bus::Topic<unitree_api_msg_dds__Request_> kAsk{"rt/api/motion_switcher/request",
@@ -141,8 +142,10 @@ class Exciter {
     return q;
   }
 
-  ExciteEnd Run(const Excitation& program) {
+  ExciteEnd Run(const Excitation& program,
+                const std::function<void(double done, double whole)>& progress) {
     const auto begin = Clock::now();
+    double shown = -kShowEvery;
     double stopped = -1;
     ExciteEnd end = ExciteEnd::kDone;
     for (auto due = begin;; due += kPeriod) {
@@ -160,6 +163,7 @@ class Exciter {
         if (end != ExciteEnd::kDone) stopped = t;
       }
       Send(command);
+      if (t >= shown + kShowEvery) progress(shown = t, program.seconds());
       if (t > program.seconds() || (stopped >= 0 && t > stopped + Excitation::kSoften)) return end;
     }
   }
@@ -221,7 +225,8 @@ class Exciter {
 
 ExciteEnd Excite(const robot::RobotSpec& spec, const physics::Bench& bench,
                  const ExciteSettings& settings,
-                 const std::function<void(const std::string&)>& told) {
+                 const std::function<void(const std::string&)>& told,
+                 const std::function<void(double done, double whole)>& progress) {
   const bus::Participant participant(settings.interface, settings.domain);
   const auto run = [&](const auto& command, const auto& state) {
     Exciter exciter(spec, participant, command, state);
@@ -231,7 +236,7 @@ ExciteEnd Excite(const robot::RobotSpec& spec, const physics::Bench& bench,
     if (StopSignal() != 0) return ExciteEnd::kStopped;
     const Excitation program(spec, settings.excitation, exciter.q(), bench.ranges());
     told(fmt::format("{:.0f} s; Ctrl-C ends it softly", program.seconds()));
-    return exciter.Run(program);
+    return exciter.Run(program, progress);
   };
   return spec.family == robot::WireFamily::kHg ? run(wire::kHgLowCmd, wire::kHgLowState)
                                                : run(wire::kGoLowCmd, wire::kGoLowState);

@@ -25,9 +25,11 @@ enum class ExciteEnd { kDone, kStopped, kInTheWay };
 // (NeighbourError); and that nobody else writes rt/lowcmd, that no motion service has the motors as
 // far as motion_switcher tells, and that its feet carry less than a third of its weight as far as
 // they are measured (ControlError, with what to do). Throws BusError if no state comes, also later.
-// `told` gets lines for people.
+// `told` gets lines for people; `progress` ten times a second how much of the excitation is done,
+// and how long all of it takes [s].
 ExciteEnd Excite(const robot::RobotSpec& spec, const physics::Bench& bench,
                  const ExciteSettings& settings,
-                 const std::function<void(const std::string&)>& told);
+                 const std::function<void(const std::string&)>& told,
+                 const std::function<void(double done, double whole)>& progress);
 
 }  // namespace understudy::identify

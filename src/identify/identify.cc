@@ -157,7 +157,7 @@ std::optional<double> RmsWith(const Replay& replay, const Figures& figures,
 std::optional<Identification> Identify(const Replay& replay, const Basis& basis,
                                        std::span<const Samples> recordings,
                                        std::span<const Samples> held_out, const Options& options,
-                                       const std::function<void(const std::string&)>& told) {
+                                       const FitTold& told) {
   const Split split = SplitOf(recordings, held_out, options, replay.timestep());
   Telling telling{.kept = basis.Parameters(options.parameters, replay.bench()), .refused = {}};
   const Figures before = basis.With({}, {});
@@ -175,7 +175,7 @@ std::optional<Identification> Identify(const Replay& replay, const Basis& basis,
     if (starts.empty()) {
       const std::optional<std::vector<VectorXd>> found = StartsOf(problem);
       if (!found) return std::nullopt;
-      told(fmt::format("{} figures, {} windows", problem.inputs(), split.fitted.size()));
+      told.line(fmt::format("{} figures, {} windows", problem.inputs(), split.fitted.size()));
       starts = *found;
     }
     // A direction that cannot be determined is found before anything is fitted.
@@ -205,7 +205,7 @@ std::optional<Identification> Identify(const Replay& replay, const Basis& basis,
     for (const std::size_t i : refused) {
       const double error = std::sqrt(covariance(static_cast<Index>(i), static_cast<Index>(i)));
       Refuse(basis, i, fmt::format("its standard error would be {:.2g}", error), &telling);
-      told("cannot tell " + telling.refused.back().name);
+      told.line("cannot tell " + telling.refused.back().name);
     }
   }
   if (telling.kept.empty()) values.clear();

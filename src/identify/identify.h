@@ -1,12 +1,12 @@
 // Finds a robot's figures from recordings of it (docs/reference/identify.md).
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "identify/fit_told.h"
 #include "identify/parameters.h"
 #include "identify/replay.h"
 #include "identify/samples.h"
@@ -51,12 +51,12 @@ struct Identification {
 };
 
 // Fits by least squares. Windows of `held_out` recordings, or else every so many of the others, are
-// not fitted to. `told` gets lines of progress. Throws RecordError where there is too little to
-// fit. Returns nullopt if a signal asked to stop.
+// not fitted to. `told` needs both of its functions. Throws RecordError where there is too little
+// to fit. Returns nullopt if a signal asked to stop.
 std::optional<Identification> Identify(const Replay& replay, const Basis& basis,
                                        std::span<const Samples> recordings,
                                        std::span<const Samples> held_out, const Options& options,
-                                       const std::function<void(const std::string&)>& told);
+                                       const FitTold& told);
 
 // For a terminal; for programs; and for --config.
 std::string ResultText(const Identification& result, std::span<const Samples> recordings);

@@ -66,8 +66,10 @@ std::vector<std::vector<std::size_t>> Together(std::span<const Parameter> parame
   return sets;
 }
 
-// Levenberg-Marquardt from x. Returns the rms, or nullopt if a signal asked to stop.
-std::optional<double> Solve(Problem* problem, VectorXd* x) {
+// Levenberg-Marquardt from x, at most kMostSteps steps. Reports each. Returns the rms, or
+// nullopt if a signal asked to stop.
+std::optional<double> Solve(Problem* problem, VectorXd* x,
+                            const std::function<void(int step)>& told) {
   Eigen::LevenbergMarquardt<Problem> solver(*problem);
   solver.parameters.ftol = kSmallGain;
   solver.parameters.xtol = 1e-6;
@@ -76,6 +78,7 @@ std::optional<double> Solve(Problem* problem, VectorXd* x) {
   Status::Status status = solver.minimizeInit(*x);
   for (int i = 0; i < kMostSteps && status != Status::UserAsked; ++i) {
     status = solver.minimizeOneStep(*x);
+    told(i + 1);
     if (status != Status::Running) break;
   }
   if (status == Status::UserAsked) return std::nullopt;
@@ -184,13 +187,17 @@ std::optional<std::vector<VectorXd>> StartsOf(const Problem& problem) {
 }
 
 std::optional<VectorXd> BestFrom(const std::vector<VectorXd>& starts, Problem* problem,
-                                 const std::function<void(const std::string&)>& told) {
+                                 const FitTold& told) {
   VectorXd best;
   double least = 0;
+  const int most = static_cast<int>(starts.size()) * kMostSteps;
+  int before = 0;
   for (VectorXd x : starts) {
-    const std::optional<double> rms = Solve(problem, &x);
+    const std::optional<double> rms =
+        Solve(problem, &x, [&](int step) { told.progress(before + step, most); });
     if (!rms) return std::nullopt;
-    told(fmt::format("rms of q {:.5f} rad", *rms));
+    before += kMostSteps;
+    told.line(fmt::format("rms of q {:.5f} rad", *rms));
     if (best.size() == 0 || *rms < least) {
       least = *rms;
       best = x;

@@ -1,14 +1,13 @@
 // Fits figures of joints to windows of recordings by least squares.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "identify/fit_told.h"
 #include "identify/parameters.h"
 #include "identify/replay.h"
 
@@ -51,8 +50,7 @@ std::optional<std::vector<Eigen::VectorXd>> StartsOf(const Problem& problem);
 // Returns the best of the fits from each of these; tells the error of each. Returns nullopt if a
 // signal asked to stop.
 std::optional<Eigen::VectorXd> BestFrom(const std::vector<Eigen::VectorXd>& starts,
-                                        Problem* problem,
-                                        const std::function<void(const std::string&)>& told);
+                                        Problem* problem, const FitTold& told);
 
 // Returns the root mean square, 0 of nothing.
 double Rms(const Eigen::VectorXd& residuals);

@@ -95,22 +95,29 @@ Result<std::size_t> FaultBank::Find(std::string_view component) const {
                              : hint)};
 }
 
-Result<const FaultKind*> FaultBank::FindKind(std::size_t component, std::string_view kind) const {
-  const Component of = places_[component].of;
-  const auto has = [&](const FaultKind& row) {
-    return row.of == of && (row.fits == nullptr || row.fits(spec_));
-  };
+bool FaultBank::Has(std::size_t component, const FaultKind& kind) const {
+  return kind.of == places_[component].of && (kind.fits == nullptr || kind.fits(spec_));
+}
+
+std::vector<const FaultKind*> FaultBank::KindsOf(std::size_t component) const {
+  std::vector<const FaultKind*> kinds;
   for (const FaultKind& row : FaultKinds()) {
-    if (has(row) && row.name == kind) return &row;
+    if (Has(component, row)) kinds.push_back(&row);
+  }
+  return kinds;
+}
+
+Result<const FaultKind*> FaultBank::FindKind(std::size_t component, std::string_view kind) const {
+  for (const FaultKind& row : FaultKinds()) {
+    if (Has(component, row) && row.name == kind) return &row;
   }
   std::string valid;
-  for (const FaultKind& row : FaultKinds()) {
-    if (!has(row)) continue;
+  for (const FaultKind* row : KindsOf(component)) {
     valid += valid.empty() ? "" : ", ";
-    valid += row.name;
+    valid += row->name;
   }
-  return Error{"'" + std::string(kind) + "' is no fault of a " + std::string(NameOf(of)) +
-               "; valid: " + valid};
+  return Error{"'" + std::string(kind) + "' is no fault of a " +
+               std::string(NameOf(places_[component].of)) + "; valid: " + valid};
 }
 
 Result<Fault> FaultBank::Make(std::string_view component, std::string_view kind, const double* by,

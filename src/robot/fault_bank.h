@@ -76,6 +76,8 @@ class FaultBank {
   const std::vector<Fault>& faults() const { return faults_; }
   // Returns the name of each component, by its number.
   const std::vector<std::string>& components() const { return names_; }
+  // Returns the kinds of fault that a component of this robot can have. Allocates.
+  std::vector<const FaultKind*> KindsOf(std::size_t component) const;
 
  private:
   struct Place {
@@ -85,6 +87,8 @@ class FaultBank {
 
   void Add(Component of, std::size_t element, std::string name);
   Result<std::size_t> Find(std::string_view component) const;
+  // Whether a component of this robot can have a fault of that kind.
+  bool Has(std::size_t component, const FaultKind& kind) const;
   Result<const FaultKind*> FindKind(std::size_t component, std::string_view kind) const;
   // Checks what Begin is given.
   Result<Fault> Make(std::string_view component, std::string_view kind, const double* by,

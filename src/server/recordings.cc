@@ -71,6 +71,13 @@ std::optional<double> NumberOf(const HttpRequest& request, std::string_view name
   return read && std::isfinite(number) ? number : std::nan("");
 }
 
+// With a float's precision, whose digits are half the text.
+ordered_json Floats(std::span<const double> values) {
+  ordered_json list = ordered_json::array();
+  for (const double value : values) list.push_back(static_cast<float>(value));
+  return list;
+}
+
 struct Poses {
   double from = 0, to = 0, hz = 30;
 };
@@ -151,23 +158,29 @@ HttpReply Recordings::Show(const HttpRequest& request, std::string_view name) co
     if (!with_poses) return {.body = JsonText(told) + "\n"};
     if (scene_ == nullptr) return ErrorReply(404, "there is no scene");
     ordered_json times = ordered_json::array(), bodies = ordered_json::array();
+    ordered_json positions = ordered_json::array(), torques = ordered_json::array(),
+                 feet = ordered_json::array(), tensions = ordered_json::array();
     double next = asked.from;
     truth.Read({.from = asked.from, .to = asked.to}, scene_->positions(),
                [&](const record::Truth& state) {
                  if (state.time < next - kRounding) return true;
                  times.push_back(state.time);
                  ordered_json poses = ordered_json::array();
-                 for (const auto& pose : scene_->Poses(state.qpos)) {
-                   ordered_json one = ordered_json::array();
-                   for (const double value : pose) one.push_back(static_cast<float>(value));
-                   poses.push_back(std::move(one));
-                 }
+                 for (const auto& pose : scene_->Poses(state.qpos)) poses.push_back(Floats(pose));
                  bodies.push_back(std::move(poses));
+                 positions.push_back(Floats(state.qpos));
+                 torques.push_back(Floats(state.tau));
+                 feet.push_back(Floats(state.foot_force));
+                 tensions.push_back(static_cast<float>(state.crane_tension));
                  next = std::max(next, state.time - 0.5 / asked.hz) + 1 / asked.hz;
                  return true;
                });
     told["times"] = std::move(times);
     told["bodies"] = std::move(bodies);
+    told["qpos"] = std::move(positions);
+    told["tau"] = std::move(torques);
+    told["feet"] = std::move(feet);
+    told["crane_tension"] = std::move(tensions);
     return {.body = JsonText(told) + "\n"};
   } catch (const SetupError& refused) {
     return ErrorReply(409, refused.what());

@@ -99,6 +99,12 @@ Routed GetSettings(const HttpRequest&, std::string_view, Plane&) {
                                   Plane&) { return JsonReply(SettingsJson(snapshot)); }};
 }
 
+Routed GetFaults(const HttpRequest&, std::string_view, Plane&) {
+  return FromSnapshot{.parts = emulator::kPartFaults,
+                      .reply = [](const emulator::Snapshot& snapshot, emulator::SnapshotParts,
+                                  Plane&) { return JsonReply(FaultsJson(snapshot)); }};
+}
+
 Routed GetTimings(const HttpRequest&, std::string_view, Plane& plane) {
   return JsonReply(TimingsJson(plane.board->Read()));
 }
@@ -198,6 +204,7 @@ constexpr Row kRoutes[] = {
     {"/status", GetStatus},
     {"/requests", GetRequests},
     {"/settings", GetSettings},
+    {"/faults", GetFaults},
     {"/snapshot", GetSnapshot},
     {"/snapshots", GetSnapshots},
     {"/events", GetEvents},

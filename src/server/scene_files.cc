@@ -9,8 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mjcf/compile.h"
-#include "motion/humanoid/fsm.h"
-#include "robot/arm_actions.h"
+#include "motion/chord_effects.h"
 #include "robot/start_pose.h"
 
 namespace understudy::server {
@@ -51,29 +50,18 @@ ordered_json MotorJson(const robot::MotorSpec& motor, const physics::Scene& scen
   return told;
 }
 
-// What a chord comes to, for people: "stand up", "ready", "wave above head".
-std::string ChordName(const robot::ChordSpec& chord, const robot::RobotSpec& robot) {
-  const int id = static_cast<int>(chord.value);
-  std::string name = chord.does;
-  if (chord.does == "set_fsm") {
-    using Stance = motion::HumanoidStance;
-    const Stance stance = motion::StanceOf(robot.motion.humanoid, id);
-    const bool known = stance != Stance::kUnplayed && stance != Stance::kNone;
-    name = known ? std::string(motion::Name(stance)) : "state " + std::to_string(id);
-  } else if (chord.does == "arm_action") {
-    const auto* const action = std::ranges::find(robot::kArmActions, id, &robot::ArmActionName::id);
-    name = action == robot::kArmActions.end() ? "arm action " + std::to_string(id)
-                                              : std::string(action->name);
-  } else if (chord.value != 0) {
-    name += " " + std::to_string(id);
-  }
-  std::ranges::replace(name, '_', ' ');
-  return name;
-}
-
 ordered_json ChordJson(const robot::ChordSpec& chord, const robot::RobotSpec& robot) {
-  return {{"keys", chord.keys},   {"clicks", chord.clicks}, {"does", chord.does},
-          {"value", chord.value}, {"from", chord.from},     {"name", ChordName(chord, robot)}};
+  const motion::ChordEffects effects = motion::EffectsOf(robot, chord);
+  return {{"keys", chord.keys},
+          {"clicks", chord.clicks},
+          {"does", chord.does},
+          {"value", chord.value},
+          {"from", chord.from},
+          {"name", effects.name},
+          {"simulated", effects.simulated},
+          {"effects", List(effects.effects, [](const motion::ChordEffect& effect) -> ordered_json {
+             return {{"from", effect.from}, {"to", effect.to}};
+           })}};
 }
 
 // As in a snapshot: the body's motors, then those of hands, whose slot is their index in motor_cmd.
@@ -179,6 +167,10 @@ std::string SceneFiles::SceneText() {
       {"feet",
        List(robot_->feet, [](const robot::FootSpec& foot) { return ordered_json(foot.name); })},
       {"poses", robot::kStartPoses},
+      {"states", List(motion::StateNames(*robot_),
+                      [](const motion::StateName& state) -> ordered_json {
+                        return {{"id", state.id}, {"name", state.name}};
+                      })},
       {"chords", List(robot_->remote.chords,
                       [this](const robot::ChordSpec& chord) { return ChordJson(chord, *robot_); })},
   };

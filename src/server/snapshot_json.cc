@@ -8,6 +8,7 @@
 #include <concepts>
 #include <iterator>
 #include <ranges>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "emulator/request.h"
+#include "robot/damage_reached.h"
 #include "robot/remote_keys.h"
 #include "server/http.h"
 
@@ -189,11 +191,16 @@ class Writer {
               "torque_limit", snapshot_.limits[i].torque, "at_speed_limit", motor.at_speed_limit,
               "speed_limit", snapshot_.limits[i].speed, "tripped", motor.tripped, "hottest",
               motor.hottest_c, "hardest_stop", motor.hardest_stop, "largest_jump",
-              motor.largest_jump, "jump_limit", snapshot_.limits[i].jump);
+              motor.largest_jump, "jump_limit", snapshot_.limits[i].jump, "mark",
+              NameOf(WorstMark(motor, snapshot_.limits[i], snapshot_.damage_limits)));
   }
   void Put(const robot::DamageLimit& limit) {
+    const robot::DamageReached reached = ReachedOf(limit, snapshot_.damage, snapshot_.limits);
     PutObject("figure", limit.figure, "limit", limit.limit, "unit", limit.unit, "source",
-              limit.source);
+              limit.source, "reached", reached.value, "reached_unit", reached.unit, "held_against",
+              reached.limit, "motor",
+              reached.motor ? std::string_view(snapshot_.motor_names[*reached.motor]) : "", "mark",
+              NameOf(reached.mark));
   }
 
   template <class Value>
@@ -250,6 +257,33 @@ nlohmann::ordered_json SettingsJson(const emulator::Snapshot& snapshot) {
     }
   }
   return {{"settings", settings}};
+}
+
+nlohmann::ordered_json FaultsJson(const emulator::Snapshot& snapshot) {
+  using nlohmann::ordered_json;
+  ordered_json components = ordered_json::array(), kinds = ordered_json::array();
+  std::set<const robot::FaultKind*> told;
+  for (std::size_t i = 0; i < snapshot.components.size(); ++i) {
+    if (snapshot.component_faults[i].empty()) continue;
+    ordered_json names = ordered_json::array();
+    for (const robot::FaultKind* kind : snapshot.component_faults[i]) {
+      names.push_back(kind->name);
+      if (!told.insert(kind).second) continue;
+      kinds.push_back({{"of", NameOf(kind->of)},
+                       {"fault", kind->name},
+                       {"does", kind->does},
+                       {"unit", kind->unit},
+                       {"range", nullptr},
+                       {"default", nullptr}});
+      if (!kind->has_magnitude()) continue;
+      kinds.back()["range"] = {kind->low, kind->high};
+      kinds.back()["default"] = kind->otherwise;
+    }
+    components.push_back({{"name", snapshot.components[i]},
+                          {"of", NameOf(snapshot.component_faults[i].front()->of)},
+                          {"faults", names}});
+  }
+  return {{"components", components}, {"kinds", kinds}};
 }
 
 std::string SnapshotJson(const emulator::Snapshot& snapshot, emulator::SnapshotParts parts) {

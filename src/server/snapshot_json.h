@@ -24,4 +24,8 @@ std::string SnapshotJson(const emulator::Snapshot& snapshot, emulator::SnapshotP
 // Returns the settings that can change, with their values in the snapshot, for GET /settings.
 nlohmann::ordered_json SettingsJson(const emulator::Snapshot& snapshot);
 
+// Returns the components that can have faults with the names of these, and the kinds of fault, for
+// GET /faults. The faults that there are now are a part of the snapshot.
+nlohmann::ordered_json FaultsJson(const emulator::Snapshot& snapshot);
+
 }  // namespace understudy::server

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/progress_bar.h"
 #include "viewer/film_maker.h"
 #include "viewer/headless_gl.h"
 #include "viewer/live_robot.h"
-#include "viewer/progress_bar.h"
 #include "viewer/recorded_states.h"
 #include "viewer/video_file.h"
 

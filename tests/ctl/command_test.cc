@@ -106,6 +106,25 @@ TEST_F(CtlCommandTest, PrintsOneSnapshotAndTheFiguresForPrometheus) {
   EXPECT_THAT(Run("ctl events"), EndsWith(" s  clamped\n"));
 }
 
+TEST_F(CtlCommandTest, ChecksDamageByItsExitCodeOnlyWhereItIsAskedTo) {
+  emulator::Snapshot snapshot;
+  snapshot.damage.falls = 1;
+  snapshot.damage_limits = {{"falls", 0, "", "assumed: none"}};
+  const FakeRobot robot(Socket("one"), {}, snapshot);
+  const auto code_of = [](const std::string& line) {
+    CLI::App app;
+    std::ostringstream out;
+    CtlCommand dut(&app, &out);
+    app.parse(line);
+    const ExitCode code = dut.Run();
+    EXPECT_THAT(out.str(), HasSubstr("falls"));
+    return code;
+  };
+  EXPECT_EQ(code_of("ctl damage"), ExitCode::kOk);
+  EXPECT_EQ(code_of("ctl damage --check"), ExitCode::kFailed);
+  EXPECT_EQ(code_of("ctl damage --check --json"), ExitCode::kFailed);
+}
+
 TEST_F(CtlCommandTest, AnArgumentThatIsNoTextReachesTheRobot) {
   const FakeRobot robot(Socket("one"));
   Run("ctl push \xff\xfe 1 0 0");

@@ -12,8 +12,10 @@ namespace understudy::ctl {
 // Records requests and gives the set answers.
 class FakeRobot {
  public:
-  explicit FakeRobot(const std::filesystem::path& socket, emulator::Answer answer = {})
-      : ticking_(&inbox_,
+  explicit FakeRobot(const std::filesystem::path& socket, emulator::Answer answer = {},
+                     emulator::Snapshot snapshot = {})
+      : snapshots_(std::move(snapshot)),
+        ticking_(&inbox_,
                  [this, answer = std::move(answer)](const emulator::Request& request) {
                    last_ = request;
                    return answer;
@@ -41,7 +43,7 @@ class FakeRobot {
   emulator::Request last_;
   emulator::StatusBoard board_;
   emulator::Inbox inbox_;
-  emulator::SnapshotMailbox snapshots_{emulator::Snapshot{}};
+  emulator::SnapshotMailbox snapshots_;
   test::Ticking ticking_;
   test::Showing showing_;
   server::ControlServer server_;

@@ -8,6 +8,7 @@
 namespace understudy::ctl {
 namespace {
 
+using ::nlohmann::ordered_json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -169,6 +170,63 @@ TEST(CtlTextTest, FieldsAreLinesAndListsOfObjectsTables) {
             "TOPIC      COUNT\n"
             "rt/lowcmd  2\n"
             "rt/x       -\n");
+}
+
+ordered_json SheetOfDamage() {
+  return ordered_json::parse(R"({"damage": {"time": 12.5,
+      "motors": [
+        {"joint": "hip", "at_torque_limit": 0, "at_speed_limit": 0, "tripped": 0, "hottest": 31.5,
+         "hardest_stop": 0, "largest_jump": 0.1, "mark": "ok"},
+        {"joint": "calf", "at_torque_limit": 0.25, "at_speed_limit": 0, "tripped": 0,
+         "hottest": 40, "hardest_stop": 0, "largest_jump": 0.2, "mark": "beyond"}],
+      "limits": [
+        {"figure": "shock", "limit": 39.25, "unit": "m/s²", "source": "derived: so", "reached": 35,
+         "reached_unit": "m/s²", "held_against": 39.25, "motor": "", "mark": "near"},
+        {"figure": "energy", "limit": 858200, "unit": "J", "source": "derived: so", "reached": 187,
+         "reached_unit": "J", "held_against": 858200, "motor": "", "mark": "ok"},
+        {"figure": "falls", "limit": 0, "unit": "", "source": "assumed: none", "reached": 0,
+         "reached_unit": "", "held_against": 0, "motor": "", "mark": "ok"},
+        {"figure": "at_torque_limit", "limit": null, "unit": "N·m", "source": "vendor: URDF",
+         "reached": 0.25, "reached_unit": "s", "held_against": 45.43, "motor": "calf",
+         "mark": "beyond"},
+        {"figure": "at_speed_limit", "limit": null, "unit": "rad/s", "source": "vendor: URDF",
+         "reached": 0, "reached_unit": "s", "held_against": null, "motor": "", "mark": "ok"},
+        {"figure": "largest_jump", "limit": null, "unit": "rad", "source": "derived: so",
+         "reached": 0.2, "reached_unit": "rad", "held_against": null, "motor": "calf",
+         "mark": "ok"}]}})");
+}
+
+TEST(CtlTextTest, DamageIsATableOfFiguresWithLimitsAndMarksAndOfTheMotorsThatMatter) {
+  EXPECT_EQ(DamageText(SheetOfDamage(), false),
+            R"(FIGURE           REACHED  LIMIT                      MARK    MOTOR
+shock            35 m/s²  39.25 m/s²                 near
+energy           187 J    858.2 kJ                   ok
+falls            0        0                          ok
+at_torque_limit  0.25 s   0 s at 45.43 N·m           BEYOND  calf
+at_speed_limit   0 s      0 s at each motor's limit  ok
+largest_jump     0.2 rad  none known                 ok      calf
+
+MOTOR  MARK    at_torque_limit [s]  at_speed_limit [s]  tripped [s]  hottest [°C]  hardest_stop [rad/s]  largest_jump [rad]
+calf   BEYOND  0.25                 0                   0            40            0                     0.2
+
+after 12.5 s: 1 figure is beyond its limit
+)");
+  EXPECT_EQ(BeyondCount(SheetOfDamage()), 1);
+}
+
+TEST(CtlTextTest, AllOfTheDamageHasEveryMotorAndTheSourcesOfTheLimits) {
+  const std::string text = DamageText(SheetOfDamage(), true);
+  EXPECT_THAT(text, HasSubstr("\nhip    ok      0 "));
+  EXPECT_THAT(text, HasSubstr("vendor: URDF\n"));
+}
+
+TEST(CtlTextTest, ASheetWithoutDamageSaysSoAndHasNoMotors) {
+  ordered_json sheet = SheetOfDamage();
+  sheet["damage"]["motors"][1]["mark"] = "ok";
+  sheet["damage"]["limits"][3]["mark"] = "ok";
+  const std::string text = DamageText(sheet, false);
+  EXPECT_THAT(text, HasSubstr("nothing is beyond its limit"));
+  EXPECT_THAT(text, Not(HasSubstr("hottest")));
 }
 
 TEST(CtlTextTest, AUnitWithForeignLettersTakesThePlacesThatItShows) {

@@ -32,7 +32,8 @@ Identification IdentifiedBy(const Drawn& drawn, const Options& options, bool by_
   const config::Config known = Known("go2");
   const Replay replay = ReplayOf(known);
   const Basis basis(known.robots[0].spec, replay.bench(), by_joint);
-  return *Identify(replay, basis, {&drawn.samples, 1}, {}, options, [](const std::string&) {});
+  return *Identify(replay, basis, {&drawn.samples, 1}, {}, options,
+                   {.line = [](const std::string&) {}, .progress = [](int, int) {}});
 }
 
 Drawn Draw(const std::string& robot, int seed, const ExcitationSpec& excitation) {

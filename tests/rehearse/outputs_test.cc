@@ -133,7 +133,9 @@ TEST_F(OutputsTest, ThePageHoldsWhatWasReachedAgainstItsLimit) {
   }
   // Of the motor that jumps less, that is too much.
   judged_.damage[0]->sheet.motors[1].largest_jump = 0.45;
-  EXPECT_THAT(html(), HasSubstr("largest_jump</td><td class=\"number beyond\">0.5 rad, hip</td>"));
+  EXPECT_THAT(
+      html(),
+      HasSubstr("largest_jump</td><td class=\"number beyond\">0.45 rad, &lt;calf&gt;</td>"));
 }
 
 TEST_F(OutputsTest, WhatDidNotEndInItsTimeHasFailed) {

@@ -1,5 +1,6 @@
 #include "robot/fault_bank.h"
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -33,6 +34,19 @@ TEST_F(FaultBankTest, HasNoEffectsBeforeTheFirstFault) {
   EXPECT_FALSE(bank_.any());
   EXPECT_EQ(motor().torque_share, 1);
   EXPECT_EQ(encoder().offset, 0);
+}
+
+TEST_F(FaultBankTest, BeginsEachKindThatItOffersForAComponentAndNoOther) {
+  for (std::size_t i = 0; i < bank_.components().size(); ++i) {
+    const auto offered = bank_.KindsOf(i);
+    for (const std::string_view name : FaultNames()) {
+      if (name == kNoFault) continue;
+      FaultBank fresh(spec_, {"rt/lowcmd", "", "rt/lowstate"}, {"sport"}, 1);
+      const bool begins = fresh.Begin(bank_.components()[i], name, nullptr, {}, 0).why().empty();
+      EXPECT_EQ(begins, std::ranges::count(offered, name, &FaultKind::name) == 1)
+          << bank_.components()[i] << ' ' << name;
+    }
+  }
 }
 
 TEST_F(FaultBankTest, ActsOnThatComponentAndNoOther) {

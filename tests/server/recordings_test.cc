@@ -36,7 +36,12 @@ class RecordingsTest : public ::testing::Test {
     for (int i = 0; i <= 100; ++i) {
       const double time = 0.1 * i;
       record::BytesOut bytes;
-      record::EncodeTruth({.step = 100 * i, .time = time, .qpos = std::vector(joints, time)},
+      record::EncodeTruth({.step = 100 * i,
+                           .time = time,
+                           .qpos = std::vector(joints, time),
+                           .tau = {10 * time},
+                           .foot_force = {100 * time},
+                           .crane_tension = 1000 * time},
                           &bytes);
       const std::uint64_t at = kStart + static_cast<std::uint64_t>(i) * 100'000'000;
       writer.Write(channel, at, at, bytes.span());
@@ -89,6 +94,10 @@ TEST_F(RecordingsTest, PutsTheBodiesWhereTheRecordedJointsHadThem) {
   EXPECT_NEAR(told["times"][20].get<double>(), 4, 1e-9);
   EXPECT_NEAR(told["bodies"][7][1][0].get<double>(), 2.7, 1e-6);
   EXPECT_EQ(told["bodies"][7][1].size(), 7u);
+  EXPECT_NEAR(told["qpos"][7][0].get<double>(), 2.7, 1e-6);
+  EXPECT_NEAR(told["tau"][7][0].get<double>(), 27, 1e-5);
+  EXPECT_NEAR(told["feet"][7][0].get<double>(), 270, 1e-4);
+  EXPECT_NEAR(told["crane_tension"][7].get<double>(), 2700, 1e-3);
   EXPECT_EQ(json::parse(Show("run.mcap", "?from=2&to=4&hz=2").body)["times"].size(), 5u);
 }
 

@@ -78,11 +78,51 @@ TEST_F(SceneFilesTest, NamesWhatChordsDo) {
   const json chords = json::parse(dut_.Scene().content())["chords"];
   std::vector<std::string> names;
   for (const json& chord : chords) names.push_back(chord["name"]);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"damp", "trot run", "ready", "state 702", "shake hand"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"damp", "trot run", "ready", "stand up from lying",
+                                             "shake hand"}));
   EXPECT_EQ(chords[1]["keys"], "START");
   EXPECT_EQ(chords[1]["clicks"], 2);
   EXPECT_EQ(chords[1]["from"], json({3}));
+}
+
+TEST_F(SceneFilesTest, SaysOfAHumanoidsChordsWhereTheyAreTakenAndWhatIsNotSimulated) {
+  robot_.kind = robot::RobotKind::kHumanoid;
+  robot_.remote.chords[2].from = {1, 2};
+  const json scene = json::parse(dut_.Scene().content());
+  const json& chords = scene["chords"];
+  EXPECT_EQ(chords[0]["effects"], json::parse(R"([{"from": 0, "to": 1}, {"from": 1, "to": 1},
+                                                  {"from": 4, "to": 1}])"));
+  EXPECT_EQ(chords[2]["effects"], json::parse(R"([{"from": 1, "to": 4}])"));
+  EXPECT_EQ(chords[2]["simulated"], true);
+  EXPECT_EQ(chords[3]["simulated"], false);
+  EXPECT_EQ(chords[3]["effects"], json::array());
+  EXPECT_EQ(scene["states"],
+            json::parse(R"([{"id": 0, "name": "zero torque"}, {"id": 1, "name": "damping"},
+                            {"id": 4, "name": "ready"}])"));
+}
+
+TEST_F(SceneFilesTest, SaysOfAQuadrupedsChordsFromWhereToWhereTheyLead) {
+  robot_.kind = robot::RobotKind::kQuadruped;
+  robot_.motion.quadruped.gestures_from_lock = true;
+  robot_.remote.chords = {{.keys = "L2+A", .does = "stand_up"},
+                          {.keys = "START", .does = "balance_stand"},
+                          {.keys = "R1+B", .does = "sit"}};
+  const json scene = json::parse(dut_.Scene().content());
+  const auto leads = [&](std::size_t chord, int from) {
+    for (const json& effect : scene["chords"][chord]["effects"]) {
+      if (effect["from"] == from) return effect["to"].get<int>();
+    }
+    return -1;
+  };
+  EXPECT_EQ(leads(0, 1001), 1002);  // damping: stands, joints locked
+  EXPECT_EQ(leads(1, 1001), -1);
+  EXPECT_EQ(leads(1, 1002), 1013);
+  EXPECT_EQ(leads(2, 1001), -1);
+  EXPECT_EQ(leads(2, 1002), 1007);  // by way of a balanced stand
+  EXPECT_EQ(leads(2, 100), 1007);
+  int names = 0;
+  for (const json& state : scene["states"]) names += state["id"] == 1002 ? 1 : 0;
+  EXPECT_EQ(names, 1);
 }
 
 TEST_F(SceneFilesTest, SendsMeshesByTheirNumber) {

@@ -47,7 +47,8 @@ TEST(SnapshotJsonTest, HasEachFigureOfDamageWithItsLimitAndSource) {
   shown.damage.motors = {{.largest_jump = 0.75}, {}};
   shown.limits = {{.torque = 24, .speed = 30, .jump = 0.5}, {}};
   shown.damage_limits = {{"shock", 39, "m/s²", "derived: its range"},
-                         {"at_torque_limit", std::nan(""), "N·m", "vendor: \"URDF\""}};
+                         {"at_torque_limit", std::nan(""), "N·m", "vendor: \"URDF\""},
+                         {"largest_jump", std::nan(""), "rad", "derived: so"}};
   const json damage = json::parse(SnapshotJson(shown, emulator::kPartDamage))["damage"];
   EXPECT_EQ(damage["motors"][0]["joint"], "knee");
   EXPECT_EQ(damage["motors"][0]["torque_limit"], 24.0);
@@ -58,9 +59,42 @@ TEST(SnapshotJsonTest, HasEachFigureOfDamageWithItsLimitAndSource) {
   EXPECT_EQ(damage["limits"][0], json({{"figure", "shock"},
                                        {"limit", 39.0},
                                        {"unit", "m/s²"},
-                                       {"source", "derived: its range"}}));
+                                       {"source", "derived: its range"},
+                                       {"reached", 0.0},
+                                       {"reached_unit", "m/s²"},
+                                       {"held_against", 39.0},
+                                       {"motor", ""},
+                                       {"mark", "ok"}}));
   EXPECT_EQ(damage["limits"][1]["limit"], nullptr);
   EXPECT_EQ(damage["limits"][1]["source"], "vendor: \"URDF\"");
+  EXPECT_EQ(damage["limits"][2]["motor"], "knee");
+  EXPECT_EQ(damage["limits"][2]["reached"], 0.75);
+  EXPECT_EQ(damage["limits"][2]["held_against"], 0.5);
+  EXPECT_EQ(damage["limits"][2]["mark"], "beyond");
+  EXPECT_EQ(damage["motors"][0]["mark"], "beyond");
+  EXPECT_EQ(damage["motors"][1]["mark"], "ok");
+}
+
+TEST(SnapshotJsonTest, OffersOfEachComponentTheFaultsThatItCanHave) {
+  static constexpr robot::FaultKind kLimp{
+      .of = robot::Component::kMotor, .name = "limp", .does = "Nothing"};
+  static constexpr robot::FaultKind kHot{.of = robot::Component::kMotor,
+                                         .name = "hot",
+                                         .does = "Warm",
+                                         .unit = "°C",
+                                         .low = 0,
+                                         .high = 200,
+                                         .otherwise = 60};
+  emulator::Snapshot shown;
+  shown.components = {"knee", "rt/none", "hip"};
+  shown.component_faults = {{&kLimp, &kHot}, {}, {&kHot}};
+  EXPECT_EQ(FaultsJson(shown), nlohmann::ordered_json::parse(R"({
+      "components": [{"name": "knee", "of": "motor", "faults": ["limp", "hot"]},
+                     {"name": "hip", "of": "motor", "faults": ["hot"]}],
+      "kinds": [{"of": "motor", "fault": "limp", "does": "Nothing", "unit": "", "range": null,
+                 "default": null},
+                {"of": "motor", "fault": "hot", "does": "Warm", "unit": "°C",
+                 "range": [0.0, 200.0], "default": 60.0}]})"));
 }
 
 TEST(SnapshotJsonTest, HasEveryPart) {

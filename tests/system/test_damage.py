@@ -6,6 +6,7 @@ import signal
 
 import pytest
 
+from robots import understudy
 from test_recording import Recording
 
 FIGURES = ["energy", "peak_current", "shock", "worst_tilt", "falls", "at_torque_limit", "at_speed_limit", "tripped",
@@ -18,7 +19,9 @@ def test_the_sheet_has_of_each_figure_the_limit_and_its_source(play, tmp_path):
     robot = play("go2", "--record", file)
     robot.ctl("push", "base_link", "0", "200", "0", "--for", "0.1")
     told = json.loads(robot.ctl("damage", "--json"))["damage"]
-    text = robot.ctl("damage")
+    text = robot.ctl("damage", "--all")
+    short = robot.ctl("damage")
+    checked = understudy("ctl", "damage", "--check")
     robot.send(signal.SIGINT)
     assert robot.exit_code() == 0
 
@@ -31,8 +34,13 @@ def test_the_sheet_has_of_each_figure_the_limit_and_its_source(play, tmp_path):
             assert one["limit"] is None and all(motor[BY_MOTOR[figure]] > 0 for motor in told["motors"]), figure
         else:
             assert one["limit"] > 0 or figure == "falls"
-        line = next(line for line in text.splitlines() if line.startswith(figure) and ": " in line)
-        assert line.endswith(one["source"]) and one["unit"] in line
+        line = next(line for line in text.splitlines() if line.startswith(figure))
+        assert line.endswith(one["source"]) and (one["unit"] in line or "each motor's limit" in line)
+        for table in (text, short):  # each of another instant
+            row = next(line for line in table.splitlines() if line.startswith(figure)).split()
+            assert {"ok", "near", "BEYOND"} & set(row), row
+    assert all(motor["joint"] in text for motor in told["motors"])
+    assert checked.returncode == (10 if "BEYOND" in checked.stdout else 0), checked.stdout
 
     _, sheet = Recording(file).messages["understudy/damage"][-1]
     assert list(sheet.figures) == FIGURES

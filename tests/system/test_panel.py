@@ -105,7 +105,9 @@ def test_the_damage_sheet_opens_under_the_motors_and_goes_on(page):
     limits = page.evaluate("[...document.querySelectorAll('#damage-limits tr')].map((row) => "
                            "[...row.cells].map((cell) => cell.textContent))")
     assert [row for row in limits if row[0] != "falls" and not all(row)] == []
-    limit_of = {row[0]: row[1:] for row in limits}
+    limit_of = {row[0]: row[2:] for row in limits}
+    reached = {row[0]: row[1] for row in limits}
+    assert reached["energy"].endswith(" J") and reached["at torque limit"].split(" ", 2)[1:] in (["s"], ["s", "beyond"])
     assert limit_of["at torque limit"][:2] == ["23.7, 45.43", "N·m"]
     assert "robot.motors[].torque_limit" in limit_of["at torque limit"][2]
     assert limit_of["hardest stop"] == ["1", "rad/s", "assumed: none is published"]

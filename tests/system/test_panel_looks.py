@@ -126,6 +126,58 @@ def test_a_finger_that_rests_on_a_button_is_told_what_it_does_and_a_tap_is_not(p
     page.becomes("document.getElementById('tip').hidden")  # after a while
 
 
+def test_a_question_mark_shows_the_keys_and_not_while_one_types(page):
+    show(page, "events")
+    page.evaluate("document.getElementById('events-search').focus()")
+    page.key("keyDown", "Slash", "?")
+    assert not page.evaluate("document.getElementById('help').open")
+    page.evaluate("document.activeElement.blur()")
+
+    page.key("keyDown", "Slash", "?")
+
+    assert page.evaluate("document.getElementById('help').open")
+    assert "L2+B" in page.text("#help") and "Backspace" in page.text("#help")
+    page.click("#help-close")
+    assert not page.evaluate("document.getElementById('help').open")
+
+
+def test_parts_are_resized_and_stay_so(play, visit):
+    page = visit(url_of(play("go2", "--released")), width=1440, height=900)
+    sizes = """['motors', 'plots'].map((id) => document.getElementById(id).getBoundingClientRect())
+        .map(({ width, height }, i) => Math.round(i ? height : width))"""
+    width, height = page.evaluate(sizes)
+
+    def drag(bar, dx, dy):
+        x, y = page.middle(bar)
+        page.mouse("mousePressed", x, y)
+        page.mouse("mouseMoved", x + dx, y + dy)
+        page.mouse("mouseReleased", x + dx, y + dy, held=False)
+
+    drag("#split-side", -80, 0)
+    drag("#split-foot", 0, -60)
+    wider, higher = page.evaluate(sizes)
+    assert (wider - width, higher - height) == (pytest.approx(80, abs=4), pytest.approx(60, abs=4))
+
+    page.call("Page.reload")
+    page.becomes("window.panel?.view.placed")
+    page.becomes(f"JSON.stringify({sizes}) === '[{wider},{higher}]'")
+    drag("#split-side", 5000, 0)  # nothing can be pushed out of the page
+    assert page.evaluate(sizes)[0] >= 320
+    page.evaluate("document.querySelectorAll('.split').forEach((one) => one.dispatchEvent(new Event('dblclick')))")
+    assert page.evaluate(sizes) == [width, height]
+
+
+def test_a_phone_gives_the_view_its_room_and_tells_the_state(play, visit):
+    page = visit(url_of(play("go2")), **PHONE)
+    page.becomes("document.getElementById('owner').textContent === 'standing'")
+
+    assert page.evaluate("document.getElementById('canvas').clientHeight") > 300
+    assert page.evaluate("document.querySelector('header').clientHeight") < 90
+    assert not page.evaluate("document.getElementById('pause').offsetParent")
+    page.click("#bar-more")
+    assert page.evaluate("Boolean(document.getElementById('pause').offsetParent)")
+
+
 # Numbers that nothing gives a unit: no letter or sign of their own, none beside or above them.
 WITHOUT_UNIT = """[...document.querySelectorAll('.num, output, .value')].filter((one) => {
   if (!one.offsetParent || !/^[-−]?[0-9.]+( [-−]?[0-9.]+)*$/.test(one.textContent.trim())) return false;

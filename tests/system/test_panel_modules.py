@@ -71,6 +71,56 @@ def test_its_modules_do_what_they_say(page):
       }""") == {"high": True, "lines": [0, 5, 10, 15, 20], "rows": [0, 5, 10, 15, 20]}
 
 
+# Chords as GET /scene has them of a robot that stands up, balances and sits.
+CHORDS = """[["L2+B", "damp", [], { 1: 1, 2: 1, 3: 1, 4: 1 }], ["L2+A", "stand_down", [2], { 2: 4 }],
+  ["L2+A", "stand_up", [], { 1: 2, 4: 2, 3: 2 }], ["L2+X", "recovery_stand", [], { 1: 3 }],
+  ["START", "balance_stand", [], { 2: 3 }], ["R1+B", "sit", [], { 3: 5 }], ["L2+Y", "zero_torque", [1], { 1: 0 }],
+  ["L1+X", "run", [], {}]].map(([keys, does, from, effects]) => ({ keys, does, from, clicks: 1, value: 0, name: does,
+    simulated: does !== "run", effects: Object.entries(effects).map(([a, to]) => ({ from: Number(a), to })) }))"""
+
+
+def test_an_action_says_what_has_to_be_pressed_before_it(page):
+    def need(does, state, service="mcf"):
+        return page.evaluate(f"""import("/panel/chords.js").then((m) => {{
+            const chords = {CHORDS};
+            return m.needOf(chords.find(({{ does }}) => does === "{does}"), chords,
+                            {{ service: "{service}", state: {state}, name: "damping" }});
+          }})""")
+
+    assert need("balance_stand", 2) == ""
+    assert need("balance_stand", 1) == "press L2+A first"
+    # Nobody recovers a robot that has not fallen, nor lets one drop that stands.
+    assert need("sit", 1) == "press L2+A, then START first"
+    assert need("stand_down", 3) == "press L2+A first"
+    # The only way.
+    assert need("zero_torque", 3) == "press L2+B first"
+    assert need("sit", 0) == "not in damping"
+    assert need("run", 1) == "not simulated"
+    assert need("sit", 3, service="") == "no motion service is on"
+
+
+def test_late_ticks_and_the_way_down_from_the_crane_are_added_up(page):
+    def module(name, expression):
+        return page.evaluate(f"import('/panel/{name}.js').then((m) => {expression})")
+
+    assert module("events", """[[3, 0.002, 4], [1, 0.009, 5], [2, 0.001, 6]].reduce((sum, [n, worst, time]) =>
+        m.lateSoFar(sum, { text: `${n} ticks began late`, detail: { worst }, time }), null)""") == {
+            "count": 6, "worst": 0.009, "from": 4}
+    assert module("crane", """m.weightOf({ base: 1, gravity: [0, 0, -10], bodies: [
+        { parent: 0, mass: 0 }, { parent: 0, mass: 10 }, { parent: 1, mass: 5 }, { parent: 0, mass: 7 }] })""") == 150
+
+    def next_of(tension, length=1, tilt=0, attached="true", asked=1):
+        return module("crane", f"""m.nextOf({{ start: 1, asked: {asked} }}, {{ base: {{ tilt: {tilt} }},
+            crane: {{ attached: {attached}, length: {length}, tension: {tension} }} }}, 340)""")
+
+    assert next_of(300) == {"lower": 0.03}
+    assert next_of(300, asked=1.03, length=1.01) == {"lower": 0}  # the last stretch is still on its way
+    assert next_of(30)["text"].startswith("it stands")
+    assert next_of(300, tilt=0.7)["text"].startswith("stopped: it tips over")
+    assert next_of(300, length=3.1)["text"] == "stopped after 2 m"
+    assert next_of(0, attached="false")["text"] == "the crane has been released"
+
+
 ROW = """{ name: "arm.wave_at", does: "Waves", fields: [
   { key: "times", kind: "whole", range: [1, 9], required: true, does: "How often" },
   { key: "for", kind: "number", unit: "s", range: [0.1, 60], default: 2, does: "How long" },
@@ -115,10 +165,11 @@ def test_a_request_gets_its_form_by_its_row_alone(page):
 def test_every_request_that_nothing_else_makes_has_a_form_and_no_other(page):
     rows = page.evaluate("fetch('/requests').then((reply) => reply.json())")["requests"]
     forms = page.evaluate("[...document.querySelectorAll('#rig form')].map((form) => form.ariaLabel)")
-    made = """Promise.all(["bar", "drag", "joints", "remote", "rig", "services", "settings"].map((name) =>
+    made = """Promise.all(["bar", "crane", "drag", "faults", "joints", "remote", "rig", "services", "settings"].map((name) =>
         fetch(`/panel/${name}.js`).then((reply) => reply.text()))).then((texts) => texts.join())"""
     code = page.evaluate(made)
-    for name in (row["name"] for row in rows):
+    also = {"crane.lower"}  # a button makes it again and again, a form once
+    for name in (row["name"] for row in rows if row["name"] not in also):
         by_hand = f'"{name}"' in code
         # What press, hold, release, sticks and on do, the picture of the remote controller does by remote.set.
         assert (name in forms) != (by_hand or name.startswith("remote.")), name

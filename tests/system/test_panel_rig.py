@@ -139,25 +139,64 @@ def test_one_finger_turns_the_view_two_zoom_it_and_a_finger_holds_a_stick(play, 
     robot.becomes(lambda now: now["remote"]["ly"] == 0)
 
 
-def test_the_form_for_faults_causes_one_and_takes_it_away(play, visit):
+def choose(page, name, value):
+    page.evaluate(f"""(list => {{ list.value = {json.dumps(value)}; list.dispatchEvent(new Event("change")); }})
+        (document.getElementById('{name}'))""")
+
+
+def test_a_fault_is_chosen_of_those_that_its_component_can_have_is_listed_and_removed(play, visit):
     robot = play("go2", "--start", "clamped", "--released")
     page = visit(url_of(robot))
     show(page, "rig")
 
-    def ask(**values):
-        page.evaluate("""(values => {
-            const form = document.querySelector('#rig form[aria-label="fault"]');
-            for (const [key, value] of Object.entries(values)) form.querySelector(`[aria-label="${key}"]`).value = value;
-            form.requestSubmit();
-        })(%s)""" % json.dumps(values))
+    def offered():
+        return page.evaluate("[...document.getElementById('fault-kind').options].map(({ value }) => value)")
 
     def faults():
         return [(one["component"], one["fault"], one["by"])
                 for one in page.evaluate("fetch('/snapshot?parts=faults').then((reply) => reply.json())")["faults"]]
 
-    ask(component="FR_calf_joint", fault="weak", by="0.25")
+    page.becomes("document.getElementById('fault-component').options.length > 40")
+    page.becomes("document.getElementById('faults-note').textContent === 'nothing is wrong'")
+    choose(page, "fault-component", "imu")
+    assert "tilted" in offered() and "limp" not in offered()
+    choose(page, "fault-component", "FR_calf_joint")
+    assert offered() == ["limp", "off", "weak", "jammed", "dragging", "hot"]
+    choose(page, "fault-kind", "limp")
+    assert page.evaluate("document.getElementById('fault-by').parentElement.hidden")  # it has no magnitude
+    choose(page, "fault-kind", "weak")
+    assert page.evaluate("(by => [by.min, by.max, by.placeholder])(document.getElementById('fault-by'))") == [
+        "0", "1", "0.5"]
+    page.evaluate("document.getElementById('fault-by').value = '0.25'")
+
+    page.evaluate("document.getElementById('fault-form').requestSubmit()")
+
     eventually(lambda: faults() == [("FR_calf_joint", "weak", 0.25)], what="the fault is there")
     robot.heard("FR_calf_joint is weak")
-    ask(component="FR_calf_joint", fault="none", by="")
+    page.becomes("document.getElementById('fault-badge').textContent === '1 fault'")
+    assert page.text("#fault-list li").startswith("FR_calf_jointweak 0.25, since ")
+    page.becomes("[...document.querySelectorAll('#motor-rows .state')]"
+                 ".filter((one) => one.textContent.includes('fault: weak')).length === 1")
+    page.evaluate("document.querySelector('#fault-list button').click()")
     eventually(lambda: faults() == [], what="the fault has gone")
     robot.heard("FR_calf_joint is no longer weak")
+    page.becomes("document.getElementById('fault-badge').hidden && !document.querySelector('#fault-list li')")
+
+
+def test_the_crane_lowers_a_robot_until_it_stands_and_none_whose_legs_are_limp(play, visit):
+    robot = play("g1")
+    page = visit(url_of(robot))
+    show(page, "rig")
+    page.becomes("document.getElementById('crane-said').textContent.includes('its legs do not carry it')")
+    assert page.evaluate("document.getElementById('crane-lower-until').disabled")
+    for keys, name in (("L2+B", "damping"), ("L2+UP", "ready")):
+        robot.ctl("remote", "press", keys)
+        robot.becomes(lambda now, name=name: now["motion"]["name"] == name)
+    page.becomes("!document.getElementById('crane-lower-until').disabled")
+
+    page.evaluate("document.getElementById('crane-lower-until').click()")
+
+    page.becomes("document.getElementById('crane-said').textContent.startsWith('it stands')", seconds=300)
+    now = robot.status()
+    assert now["crane"]["attached"] and now["crane"]["tension"] < 60 and now["base"]["height"] > 0.6
+    assert page.text("#crane-lower-until") == "Lower until it stands"

@@ -54,6 +54,58 @@ def test_a_button_never_does_what_another_of_the_same_keys_would(play, visit):
     page.becomes(f"{chord('Stand up')}.disabled && !{chord('Stand down')}.disabled")
 
 
+def note(name):
+    return f"{chord(name)}.querySelector('.note-line').textContent"
+
+
+def test_an_action_says_what_it_needs_and_what_came_of_a_click(play, visit):
+    robot = play("go2")
+    page = visit(url_of(robot))
+    show(page, "actions")
+    page.click("#damp")
+    robot.becomes(lambda now: now["motion"]["state"] == 1001)
+    page.becomes(f"{note('Balance stand')} === 'press L2+A first'")
+
+    page.evaluate(f"{chord('Balance stand')}.click()")
+    page.becomes(f"{note('Balance stand')}.includes('no effect in damping (1001); press L2+A first')")
+    assert page.text("#chords-said").startswith("Balance stand: START has no effect")
+    page.evaluate(f"{chord('Stand up')}.click()")
+
+    page.becomes(f"{note('Stand up')}.startsWith('taken: ')")
+    robot.becomes(lambda now: now["motion"]["state"] == 1002)
+    page.becomes(f"!{chord('Balance stand')}.classList.contains('pale')")
+
+
+@pytest.mark.parametrize("robot", ["g1", "h1", "b2", "r1"])
+def test_the_actions_of_every_robot_have_names(play, visit, robot):
+    page = visit(url_of(play(robot)))
+    show(page, "actions")
+    page.becomes("document.querySelectorAll('.chord').length > 1")
+
+    texts = page.evaluate("[...document.querySelectorAll('.chord')].map((one) => one.firstChild.textContent + one.title)")
+
+    assert [text for text in texts if re.search(r"[Ss]tate \d|\d{3}", text)] == []
+
+
+def test_late_ticks_are_one_line_with_their_count(play, visit):
+    page = visit(url_of(play("go2", "--released")))
+    lines = "[...document.querySelectorAll('#event-list li')].filter((one) => one.textContent.includes('began late'))"
+    add = """(at) => import("/panel/events.js").then(({ Events }) => {
+        window.folding ??= new Events();
+        window.folding.show({ number: at, kind: "overrun", level: "", time: at, text: `${at} ticks began late, the worst`,
+                              detail: { worst: 0.001 * at } });
+      })"""
+    page.evaluate("panel.link.on.event = () => {}")  # a busy machine is late too
+    page.click("#tab-events")
+    page.evaluate("document.getElementById('events-clear').click()")
+    for at in (2, 3, 5):
+        page.evaluate(f"({add})({at})")
+
+    texts = page.evaluate(f"{lines}.map((one) => one.lastChild.textContent)")
+
+    assert texts == ["10 ticks began late since 2.0 s, the worst by 5.0 ms"]
+
+
 def test_the_dds_tab_tells_who_reads_and_writes_how_often_and_what_does_not_match(page):
     row = """[...document.querySelectorAll('#dds-rows tr')].find((row) =>
         row.querySelector('.name')?.textContent === 'rt/lowcmd')"""
@@ -275,10 +327,28 @@ def test_a_recording_is_listed_and_played_in_the_view_by_its_time_bar(play, visi
     page.becomes("document.getElementById('recording-run').textContent === 'Play'")  # at its end
     assert page.evaluate("document.getElementById('recording-at').value > 2.9")
     recorded = page.evaluate(height)
+    # All that is shown is the recording's, or blank.
+    assert page.text("#time").startswith(("2.9", "3.0"))
+    assert page.text("#place").split()[2] == f"{recorded:.2f}"
+    assert [page.text(f"#{name}") for name in ("factor", "late", "battery", "line", "owner-text")] == [
+        "–", "–", "–", "recording", "way.mcap"]
+    row = page.evaluate("[...document.querySelector('#motor-rows tr').children].map((one) => one.textContent)")
+    assert row[1] not in ("–", "") and row[3] == "–" and row[4] not in ("–", "") and row[6:8] == ["–", "–"]
+    assert page.evaluate("panel.plots.history.newest") == pytest.approx(3, abs=0.1)
+    # What acts on the live robot says why it does not, but Damp.
+    assert page.evaluate("['pause', 'record', 'reset'].every((id) => document.getElementById(id).matches(':disabled'))")
+    assert "Back to live" in page.evaluate("document.getElementById('bar').title")
+    assert not page.evaluate("document.getElementById('damp').matches(':disabled')")
+    show(page, "events")
+    assert page.evaluate("getComputedStyle(document.getElementById('event-list')).visibility") == "hidden"
+    assert page.evaluate("document.getElementById('events').inert")
     page.click("#recording-live")
 
     page.becomes(f"Math.abs({height} - {recorded}) > 0.1")
     assert page.evaluate("document.getElementById('player').hidden")
+    page.becomes("document.getElementById('battery').textContent.endsWith('%')")
+    assert not page.evaluate("document.getElementById('pause').matches(':disabled')")
+    assert page.evaluate("panel.plots.history === panel.plots.live && !document.getElementById('events').inert")
 
 
 def test_open_gives_the_browser_a_page_that_leads_to_the_panel_and_others_cannot_read(play, tmp_path, monkeypatch):

@@ -73,11 +73,28 @@ export class Bar {
     speed.value = String(value);
   }
 
+  // A recording plays: what it does not have is blank. null: the live robot is shown again.
+  showRecorded(recording) {
+    document.body.classList.toggle("replaying", recording !== null);
+    if (recording === null) return;
+    setText(byId("time"), `${number(recording.time, 2)} s`);
+    for (const id of ["factor", "late", "battery"]) {
+      setText(byId(id), "–");
+      byId(id).title = "not in a recording";
+    }
+    setText(byId("owner"), "recording");
+    setClass(byId("owner"), "");
+    setText(byId("owner-text"), recording.name);
+    setText(byId("line"), "recording");
+    setClass(byId("line"), "");
+  }
+
   showStatus(status) {
     const { pace } = status;
     setText(byId("factor"), this.paused ? "paused" : `${number(pace.real_time_factor, 2)}×`);
     const behind = !this.paused && status.speed > 0 && pace.real_time_factor < 0.97 * status.speed;
     setClass(byId("factor"), `num ${behind ? "warn" : ""}`);
+    byId("factor").title = "";
     setText(byId("late"), String(pace.overruns));
     byId("late").title = `worst ${number(1000 * pace.worst_lateness, 2)} ms late`;
     this.showRecording(status.recording);

@@ -48,6 +48,12 @@ export class DamageSheet {
       `shock ${number(sheet.shock, 0)} m/s², ${number(sheet.energy, 0)} J, ` +
       `${number(sheet.peak_current, 0)} A at most`);
     if (this.rows.length !== sheet.motors.length) this.makeRows(sheet);
+    sheet.limits.forEach((one, i) => {
+      const mark = one.mark === "ok" ? "" : ` ${one.mark}`;
+      setText(this.reached[i], `${short(one.reached)} ${one.reached_unit}${mark}`.trim());
+      setClass(this.reached[i], one.mark === "beyond" ? "num warn" : "num");
+      this.reached[i].title = one.motor;
+    });
     const limits = Object.fromEntries(sheet.limits.map((limit) => [limit.figure, limit]));
     sheet.motors.forEach((motor, i) => {
       COLUMNS.forEach(({ of, digits, own, counts }, column) => {
@@ -64,8 +70,9 @@ export class DamageSheet {
 
   makeRows({ motors, limits }) {
     this.rows = motors.map(() => COLUMNS.map(() => element("td", { class: "num" })));
-    byId("damage-limits").replaceChildren(...limits.map((one) =>
-      element("tr", {}, element("th", { scope: "row", text: one.figure.replaceAll("_", " ") }),
+    this.reached = limits.map(() => element("td", { class: "num" }));
+    byId("damage-limits").replaceChildren(...limits.map((one, i) =>
+      element("tr", {}, element("th", { scope: "row", text: one.figure.replaceAll("_", " ") }), this.reached[i],
               element("td", { class: "num", text: limitText(one, motors) }),
               element("td", { text: one.unit }), element("td", { class: "source", text: one.source }))));
     byId("damage-rows").replaceChildren(...motors.map(({ joint }, i) =>

@@ -7,8 +7,8 @@ const MOST = 200; // lines
 // What the status says of who moves the motors: a short word, and what it means.
 export function ownerOf(status) {
   if (status.motion.service) {
-    return { word: status.motion.service, level: "",
-             text: `motion service: ${status.motion.name} (${status.motion.state})` };
+    return { word: status.motion.name, level: "",
+             text: `motion service ${status.motion.service}, state ${status.motion.state}` };
   }
   switch (status.commands.state) {
     case "following":
@@ -32,10 +32,25 @@ const refusedOf = (status) =>
 const CLASSES = { warning: "warn", error: "bad" }; // by level
 const TOLD_ELSEWHERE = new Set(["motion", "remote"]); // too many for a list
 
+// What all late ticks so far come to, after one more event of them.
+export function lateSoFar(sum, { detail, text, time }) {
+  const count = Number(/^\d+/.exec(text)?.[0] ?? 1);
+  return { count: (sum?.count ?? 0) + count, worst: Math.max(sum?.worst ?? 0, detail.worst ?? 0),
+           from: sum?.from ?? time };
+}
+
+const lateText = ({ count, worst, from }) =>
+  `${count} ${count === 1 ? "tick" : "ticks"} began late since ${number(from, 1)} s, the worst by ` +
+  `${number(1000 * worst, 1)} ms`;
+
 export class Events {
   constructor() {
     this.next = 0; // number of the next event
-    byId("events-clear").addEventListener("click", () => byId("event-list").replaceChildren());
+    this.late = null; // what the late ticks in the list come to, and its line
+    byId("events-clear").addEventListener("click", () => {
+      byId("event-list").replaceChildren();
+      this.late = null;
+    });
     this.search = new Search(byId("events-search"), () => {
       for (const line of byId("event-list").children) line.hidden = !this.search.matches(line.textContent);
     });
@@ -47,13 +62,22 @@ export class Events {
   }
 
   // One event of /events, which sends those before again to a page that comes back.
-  show({ number, kind, level, text, time }) {
+  show(event) {
+    const { number, kind, level, text, time } = event;
     if (number < this.next) return;
     this.next = number + 1;
-    if (!TOLD_ELSEWHERE.has(kind)) this.add(text, CLASSES[level] ?? "", time);
+    if (kind === "overrun") this.addLate(event);
+    else if (!TOLD_ELSEWHERE.has(kind)) this.add(text, CLASSES[level] ?? "", time);
   }
 
-  // One line; `time`: simulated seconds.
+  // A busy machine would fill the list with late ticks: they are one line, at the last of them.
+  addLate(event) {
+    const sum = lateSoFar(this.late?.sum, event);
+    this.late?.line.remove();
+    this.late = { sum, line: this.add(lateText(sum), "muted", event.time) };
+  }
+
+  // One line, which it returns; `time`: simulated seconds.
   add(text, level, time) {
     const list = byId("event-list");
     const line = element("li", { class: level || false },
@@ -62,5 +86,6 @@ export class Events {
     line.hidden = !this.search.matches(line.textContent);
     list.prepend(line);
     while (list.children.length > MOST) list.lastChild.remove();
+    return line;
   }
 }

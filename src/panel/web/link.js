@@ -2,7 +2,7 @@
 const RETRIES = [500, 1000, 2000, 4000]; // ms between attempts to reach it
 const STATUS_EVERY = 250; // ms
 const SILENCE = 2000; // ms without a snapshot after which one says so
-const PARTS = "bodies,contacts,com,crane,pushes,motors,imus,battery,feet,remote,command";
+const PARTS = "bodies,contacts,com,crane,pushes,motors,imus,battery,feet,remote,command,faults";
 const PATIENCE = 5000; // ms; the robot itself answers within 2 s
 const LAPSE = 0.5; // s of wall time after which the robot lets go of what is not renewed
 const LONGEST = 60; // s of simulated time, what a drag may last

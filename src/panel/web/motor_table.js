@@ -25,6 +25,16 @@ export function positionLevel(share, tau) {
   return (share <= 0 && tau < -PUSHES) || (share >= 1 && tau > PUSHES) ? "warn" : "";
 }
 
+// The faults of each motor and its encoder, in words, by the name of the joint.
+export function faultsByMotor(faults) {
+  const found = new Map();
+  for (const { component, fault } of faults) {
+    const [motor, part] = component.split(/\.(encoder)$/);
+    found.set(motor, [...(found.get(motor) ?? []), part ? `${part} ${fault}` : fault]);
+  }
+  return found;
+}
+
 class Row {
   constructor(motor, index, onPick) {
     this.motor = motor;
@@ -45,7 +55,8 @@ class Row {
       this.cells.casing, this.cells.winding, this.state);
   }
 
-  show(reading) {
+  // `faults` are the words for what is wrong with it or its encoder.
+  show(reading, faults) {
     const { motor, cells } = this;
     const bounded = motor.range && motor.range[1] > motor.range[0];
     const share = bounded ? (reading.q - motor.range[0]) / (motor.range[1] - motor.range[0]) : 0.5;
@@ -66,13 +77,12 @@ class Row {
     this.effort.style.setProperty("--at", Math.max(-1, Math.min(1, effort)));
     setClass(this.range, levels.q);
     setClass(this.effort, levels.tau);
-    this.showState(reading, levels, bounded && (share <= 0 || share >= 1), Math.abs(effort) >= FULL);
+    this.showState(reading, levels, bounded && (share <= 0 || share >= 1), Math.abs(effort) >= FULL, faults);
   }
 
   // In words too: colour alone is not for everybody.
-  showState(reading, levels, atStop, atLimit) {
-    const words = [];
-    words.push(...reading.errors);
+  showState(reading, levels, atStop, atLimit, faults) {
+    const words = [...(faults.length ? [`fault: ${faults.join(", ")}`] : []), ...reading.errors];
     if (levels.casing === "bad" || levels.winding === "bad") words.push("hot");
     const bad = words.length > 0;
     if (!bad && (levels.casing || levels.winding)) words.push("warm");
@@ -82,7 +92,7 @@ class Row {
     if (!reading.enabled) words.push("off");
     const level = words.length && reading.enabled ? "warn" : "muted";
     if (atStop && !levels.q) words.push("at stop");
-    setText(this.state, words.join(", ") || "on");
+    setText(this.state, words.join(", ") || (reading.recorded ? "–" : "on"));
     setClass(this.state, `state ${bad ? "bad" : level}`);
     setClass(this.node, reading.enabled ? "" : "off");
   }
@@ -101,7 +111,10 @@ export class MotorTable {
   }
 
   show(snapshot) {
-    snapshot.motors.forEach((reading, i) => this.rows[i]?.show(reading));
+    const faulty = faultsByMotor(snapshot.faults ?? []);
+    snapshot.motors.forEach((reading, i) => {
+      this.rows[i]?.show(reading, faulty.get(this.rows[i].motor.name) ?? []);
+    });
     const worst = snapshot.motors.reduce((most, { winding }) => Math.max(most, winding), -Infinity);
     setText(byId("motor-note"), `warmest winding ${number(worst, 0)} °C`);
   }

@@ -186,7 +186,8 @@ export class Plots {
     this.plots = [];
     this.signals = [];
     this.index = new Map();
-    this.history = new History(0, 1);
+    this.history = new History(0, 1); // what is drawn
+    this.live = this.history; // that of the robot, which goes on while a recording's is drawn
     this.held = false;
     this.last = 0;
     controls.hold.addEventListener("click", () => this.hold(!this.held));
@@ -206,7 +207,7 @@ export class Plots {
   setSignals(signals, standard) {
     this.signals = signals;
     this.index = new Map(signals.map(({ name }, i) => [name, i]));
-    this.history = new History(signals.length, KEPT);
+    this.live = this.history = new History(signals.length, KEPT);
     this.controls.options.replaceChildren(
       ...signals.map(({ name, unit }) => element("option", { value: name, label: unit })));
     for (const plot of this.plots.splice(0)) this.discard(plot);
@@ -251,8 +252,18 @@ export class Plots {
     remember("plots", { plots: this.plots.map(({ names }) => names), seconds: this.controls.seconds.value });
   }
 
+  // Draws the signals of a recording from now on, or those of the robot again.
+  replay(on) {
+    this.hold(false);
+    this.history = on ? new History(this.signals.length, KEPT) : this.live;
+    this.drawAll();
+  }
+
+  // A snapshot of the robot, or of the recording that is drawn.
   push(snapshot) {
-    this.history.push(snapshot.time, (i) => this.signals[i].read(snapshot));
+    const history = snapshot.recorded ? this.history : this.live;
+    history.push(snapshot.time, (i) => this.signals[i].read(snapshot));
+    if (history !== this.history) return;
     const now = performance.now();
     if (this.held || now - this.last < EVERY) return;
     this.last = now;

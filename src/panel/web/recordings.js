@@ -1,26 +1,15 @@
-// The recordings beside which the robot was started, and one of them played in the view: its poses
+// The recordings beside which the robot was started, and one of them played in the page: its states
 // come in stretches of seconds as they are needed.
 import { byId, element, number, setText } from "./dom.js";
+import { instantOf } from "./playback.js";
 
 const STRETCH = 2; // s that one reply has
 const HZ = 30; // poses a second
-const AHEAD = 1; // s before the end of what is there at which more is asked for
-
-// Where among ascending times the last one at or before `time` is; 0 where all are later.
-export function indexAt(times, time) {
-  let low = 0;
-  let high = times.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (times[middle] <= time) low = middle + 1;
-    else high = middle;
-  }
-  return Math.max(0, low - 1);
-}
+const AHEAD = 1; // s of wall time before the end of what is there at which more is asked for
 
 export class Recordings {
-  // show(bodies or null): the poses to be seen, or that the robot's own are again; say(text): what
-  // went wrong.
+  // show(instant or null): what is to be seen (playback.js), or that it is the live robot again;
+  // say(text): what went wrong.
   constructor(link, show, say) {
     Object.assign(this, { link, show, say });
     this.playing = null; // {name, from, to, now, runs, stretches: Map}
@@ -35,6 +24,18 @@ export class Recordings {
       last = now;
     };
     requestAnimationFrame(tick);
+    byId("recording-loop").addEventListener("click", () => {
+      const on = byId("recording-loop").getAttribute("aria-pressed") !== "true";
+      byId("recording-loop").setAttribute("aria-pressed", on);
+    });
+  }
+
+  get speed() {
+    return Number(byId("recording-speed").value);
+  }
+
+  get loops() {
+    return byId("recording-loop").getAttribute("aria-pressed") === "true";
   }
 
   // ---- the list
@@ -117,9 +118,10 @@ export class Recordings {
     const { playing } = this;
     if (!playing) return;
     if (playing.runs && this.stretchAt(playing.now)) {
-      playing.now = Math.min(playing.to, playing.now + seconds);
-      this.stretchAt(playing.now + AHEAD);
-      if (playing.now >= playing.to) this.run(false);
+      playing.now = Math.min(playing.to, playing.now + this.speed * seconds);
+      this.stretchAt(playing.now + AHEAD * this.speed);
+      if (playing.now >= playing.to && this.loops) playing.now = playing.from;
+      else if (playing.now >= playing.to) this.run(false);
     }
     this.draw();
   }
@@ -130,7 +132,9 @@ export class Recordings {
     setText(byId("recording-time"), `${number(playing.now, 1)} of ${number(playing.to, 1)} s`);
     const stretch = this.stretchAt(playing.now);
     if (!stretch?.times.length) return;
-    const bodies = stretch.bodies[indexAt(stretch.times, playing.now)];
-    if (bodies !== playing.drawn) this.show(playing.drawn = bodies);
+    const instant = instantOf(stretch, playing.now);
+    if (instant.time === playing.drawn) return;
+    playing.drawn = instant.time;
+    this.show(instant);
   }
 }

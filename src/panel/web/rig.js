@@ -5,7 +5,7 @@ import { makeForm } from "./forms.js";
 
 // Requests with controls of their own, here, in the bar, in the view and on the remote controller.
 const ELSEWHERE =
-  /^(pause|resume|step|speed|reset|drag|let_go|clamp|joint|set|crane\.(attach|release)|(record|remote|service)\..*)$/;
+  /^(pause|resume|step|speed|reset|drag|let_go|clamp|joint|set|fault|crane\.(attach|release)|(record|remote|service)\..*)$/;
 
 export class Rig {
   // request(name, values) sends and reports a refusal.

@@ -1,8 +1,8 @@
-#include "viewer/progress_bar.h"
+#include "base/progress_bar.h"
 
 #include "gtest/gtest.h"
 
-namespace understudy::viewer {
+namespace understudy {
 namespace {
 
 TEST(ProgressBarTest, SaysHowFarAndHowLongStill) {
@@ -15,9 +15,14 @@ TEST(ProgressBarTest, SaysNothingOfTheRestBeforeItCanTell) {
   EXPECT_EQ(ProgressText("a.mp4", 5, 10, 0.1), "a.mp4 [##########----------]  50 %  5.0 of 10.0 s");
 }
 
+TEST(ProgressBarTest, OfStepsOfWhichThereMayBeFewerTheRestIsTheMost) {
+  EXPECT_EQ(ProgressText("fit", 5, 20, 4, ProgressOf::kSteps),
+            "fit [#####---------------]  25 %  step 5 of at most 20, at most 12 s to go");
+}
+
 TEST(ProgressBarTest, EndsFull) {
   EXPECT_EQ(ProgressText("a.mp4", 11, 10, 0), "a.mp4 [####################] 100 %  11.0 of 10.0 s");
 }
 
 }  // namespace
-}  // namespace understudy::viewer
+}  // namespace understudy
