@@ -140,7 +140,7 @@ def test_a_trace_says_who_waits_for_what_until_when(understudy):
 
     assert done.returncode == 0, done.stderr
     assert re.search(r"^clock: [\d.]+ s$", done.stderr, re.MULTILINE)
-    assert re.search(r"^  thread \d+ of python3\S* \(\d+\): waits in sleep until 30\.\d+ s$", done.stderr, re.MULTILINE)
+    assert re.search(r"^  thread \d+ of python\S* \(\d+\): waits in sleep until 60\.\d+ s$", done.stderr, re.MULTILINE)
     assert re.search(r"^  thread \d+, \S+, of understudy \(\d+\): waits in \w+", done.stderr, re.MULTILINE)
 
 
