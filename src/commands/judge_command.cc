@@ -58,6 +58,8 @@ int JudgeCommand(const JudgeArguments& arguments) {
       .script = {},
       .stopped = {},
       .clock = {},
+      .think = 0,
+      .computed = {},
       .unrepeatable = {},
       .repeats = {},
       .ladder = Climb(recordings, standard.stages, standard.config, judged, folder),

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -6,14 +7,12 @@
 #include <system_error>
 #include <utility>
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/printed.h"
 #include "base/signals.h"
-#include "base/unique_fd.h"
 #include "commands/campaign.h"
 #include "commands/clock_options.h"
 #include "commands/commands.h"
@@ -22,6 +21,7 @@
 #include "commands/first_scenario.h"
 #include "commands/log.h"
 #include "commands/network_options.h"
+#include "commands/rehearsal_before.h"
 #include "commands/set_options.h"
 #include "ctl/check.h"
 #include "rehearse/outputs.h"
@@ -37,81 +37,22 @@ namespace fs = std::filesystem;
 
 constexpr double kLeastLimit = 1, kMostLimit = 1e9;  // of --run-limit, s
 
-struct RehearseArguments : JudgeArguments, SetArguments {
-  NetworkArguments network;
-  ClockArguments clock;
-  std::string log_level = "warn";
-  bool to_the_end = false;
-  bool twice = false;
-  bool words = false;
-  std::string init;  // the file of a first scenario; "": none
-  CampaignArguments campaign;
-  std::vector<std::string> command;
-};
-
 // Wall s in which it has to end unless --run-limit says otherwise.
 double LimitOf(const config::Config& config) {
   const double speed = config.time.speed > 0 ? config.time.speed : 1;
   return rehearse::kRunLimit + std::max(0.0, config.time.duration) / speed;
 }
 
-// The options that a run of a campaign has as the campaign has them.
-std::vector<std::string> OptionsOf(const RehearseArguments& arguments) {
-  std::vector<std::string> words = WordsOf(arguments.network);
-  for (const std::string& set : arguments.sets) words.insert(words.end(), {"--set", set});
-  const std::vector<std::string> clock = WordsOf(arguments.clock);
-  words.insert(words.end(), clock.begin(), clock.end());
-  if (arguments.to_the_end) words.emplace_back("--to-the-end");
-  return words;
-}
-
-// Adds the program and its arguments, if there are any, behind "--".
-void AddCommand(const std::vector<std::string>& command, std::vector<std::string>* words) {
-  if (command.empty()) return;
-  words->emplace_back("--");
-  words->insert(words->end(), command.begin(), command.end());
-}
-
-// Plays the scenario in a process of its own and returns its exit code; the evidence is in
-// `folder`.
-int PlayFirst(const RehearseArguments& arguments, const fs::path& folder) {
-  std::vector<std::string> words{"/proc/self/exe", "rehearse",         arguments.scenario,
-                                 "--out",          folder.string(),    "--no-pictures",
-                                 "--log-level",    arguments.log_level};
-  if (arguments.run > 0) words.insert(words.end(), {"--run", std::to_string(arguments.run)});
-  if (const auto limit = arguments.campaign.limit) {
-    words.insert(words.end(), {"--run-limit", Printed("%.9g", *limit)});
-  }
-  for (const std::string& word : OptionsOf(arguments)) words.push_back(word);
-  AddCommand(arguments.command, &words);
-  const UniqueFd nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
-  exec::ChildProcess run(words, {}, -1, nowhere.get());
-  run.Release();
-  return run.Wait();
-}
-
-// Whether the code is one of a rehearsal that was played and judged.
-bool IsJudged(int code) {
-  return code == 0 || code == static_cast<int>(ExitCode::kFailed) ||
-         code == static_cast<int>(ExitCode::kOpen);
-}
-
-// The next run has the seed that this one drew.
-void KeepSeed(const fs::path& recording, config::Config* config) {
-  const auto about = record::OpenRecording(recording)->contents().metadata;
-  const std::string& seed = about.at("understudy").at("seed");
-  if (!seed.empty()) config->randomization.seed = std::stoi(seed);
-}
-
 // As rehearse::FirstDifference, of all robots.
-std::string FirstDifference(const std::vector<fs::path>& first,
-                            const std::vector<fs::path>& second) {
+std::optional<rehearse::Difference> FirstDifference(const std::vector<fs::path>& first,
+                                                    const std::vector<fs::path>& second) {
   for (std::size_t i = 0; i < first.size(); ++i) {
-    const std::string text = rehearse::FirstDifference(*record::OpenRecording(first[i]),
-                                                       *record::OpenRecording(second[i]));
-    if (!text.empty()) return (i > 0 ? second[i].filename().string() + ": " : "") + text;
+    auto found = rehearse::FirstDifference(*record::OpenRecording(first[i]),
+                                           *record::OpenRecording(second[i]));
+    if (found && i > 0) found->text = second[i].filename().string() + ": " + found->text;
+    if (found) return found;
   }
-  return "";
+  return std::nullopt;
 }
 
 // The line that does the same again, with the seed that was drawn.
@@ -145,26 +86,29 @@ rehearse::ScenarioOptions ScenarioOptionsOf(const RehearseArguments& arguments) 
 class OneRehearsal {
  public:
   // Throws ConfigError, and what SimulatedClock does.
-  OneRehearsal(const RehearseArguments& arguments, const fs::path& file)
-      : arguments_(arguments),
+  OneRehearsal(RehearseArguments arguments, const fs::path& file)
+      : arguments_(std::move(arguments)),
         file_(file),
-        scenario_(rehearse::LoadScenario(file, ScenarioOptionsOf(arguments))) {
+        scenario_(rehearse::LoadScenario(file, ScenarioOptionsOf(arguments_))) {
     if (scenario_.program && scenario_.program->command.empty()) {
       throw ConfigError(file.string() + ": program: this scenario needs one: understudy rehearse " +
-                        arguments.scenario + " -- CMD...");
+                        arguments_.scenario + " -- CMD...");
     }
     if (scenario_.simulated_clock) TakeClock();
-    folder_ = OwnFolder(FolderOf(arguments.out, file, arguments.run));
+    folder_ = OwnFolder(FolderOf(arguments_.out, file, arguments_.run));
   }
 
   // Returns the exit code.
   int Run() {
     if (arguments_.twice) {
-      if (const int code = PlayFirst(arguments_, First()); !IsJudged(code)) return code;
-      KeepSeed(RecordingsIn(First()).front(), &scenario_.config);
+      if (const int code = PlayBefore(arguments_, First()); !IsJudged(code)) return code;
+      TakeStartOfFirst();
     }
     rehearse::Rehearsal rehearsal = Play();
-    if (clock_) clock_->RequireProgram(scenario_.program->command);
+    if (clock_) {
+      clock_->RequireProgram(scenario_.program->command);
+      unrepeatable_ = clock_->coordinator()->unrepeatable();
+    }
     if (arguments_.twice) Compare(&rehearsal.judged);
     const int code = TellVerdicts(OccasionOf(rehearsal), scenario_.expect, rehearsal.judged,
                                   folder_, arguments_.json);
@@ -177,13 +121,29 @@ class OneRehearsal {
     return RecordingsOf(folder / "recording.mcap", scenario_.config);
   }
 
+  // The seed that it drew, and its date: the stamps of ROS's messages are dates.
+  void TakeStartOfFirst() {
+    const auto about = record::OpenRecording(RecordingsIn(First()).front())->contents().metadata;
+    const record::StringMap& run = about.at("understudy");
+    if (const std::string& seed = run.at("seed"); !seed.empty()) {
+      scenario_.config.randomization.seed = std::stoi(seed);
+    }
+    start_ = std::stoull(run.at("start_time_ns"));
+  }
+
   void TakeClock() {
     if (arguments_.network.network != "private") {
       throw ConfigError(file_.string() + ": clock: simulated needs --network private");
     }
-    const double think =
-        arguments_.clock.think > 0 ? arguments_.clock.think : 1e3 * scenario_.program->think;
-    clock_.emplace(scenario_.program->command, think);
+    RequireTakesClock(scenario_.program->command);
+    ClockArguments& clock = arguments_.clock;
+    if (clock.measures) {
+      const auto found = simclock::ThinkOfStart();
+      clock.think = found ? 1e-6 * static_cast<double>(found->count()) : MeasureThink(arguments_);
+      clock.measures = false;
+    }
+    think_ = clock.think > 0 ? clock.think : 1e3 * scenario_.program->think;
+    clock_.emplace(think_);
   }
 
   rehearse::Rehearsal Play() {
@@ -204,6 +164,7 @@ class OneRehearsal {
                       output ? output->descriptor() : -1, network.program_rights());
     }
     network.Settle();
+    if (clock_ && arguments_.clock.trace) clock_->Trace();
     if (output) output->Start();
     if (errors) errors->Start();
     StartLog({.level = arguments_.log_level, .json = false, .status_line = false});
@@ -215,6 +176,8 @@ class OneRehearsal {
         scenario_,
         {.access = place.access(),
          .recording = folder_ / "recording.mcap",
+         .late_messages = think_ > 0,
+         .start = start_,
          .private_network = network.is_private(),
          .to_the_end = arguments_.to_the_end,
          .interrupted = interrupted,
@@ -233,11 +196,24 @@ class OneRehearsal {
   }
 
   void Compare(rehearse::Judged* judged) {
-    const std::string differs = FirstDifference(RecordingsIn(First()), RecordingsIn(folder_));
-    repeats_ = differs.empty();
-    if (!*repeats_) {
-      judged->failures.push_back({"the second run", "differs from the first: " + differs});
+    const auto differs = FirstDifference(RecordingsIn(First()), RecordingsIn(folder_));
+    repeats_ = !differs;
+    if (!differs) return;
+    judged->failures.push_back({"the second run", "differs from the first: " + differs->text});
+    if (unrepeatable_.empty()) {
+      unrepeatable_ = VerdictOf(First(), "unrepeatable").get<std::string>();
     }
+    unrepeatable_ = rehearse::CauseOf(
+        *differs, {.with_program = scenario_.program.has_value(),
+                   .simulated_clock = clock_.has_value(),
+                   .realtime_priority = clock_ && clock_->coordinator()->has_priority(),
+                   .private_network = arguments_.network.network == "private",
+                   .unrepeatable = unrepeatable_});
+  }
+
+  std::optional<double> ComputedMs() const {
+    const auto time = clock_ ? clock_->computed() : std::nullopt;
+    return time ? std::optional(1e-6 * static_cast<double>(time->count())) : std::nullopt;
   }
 
   rehearse::Occasion OccasionOf(const rehearse::Rehearsal& rehearsal) {
@@ -263,7 +239,9 @@ class OneRehearsal {
             .clock = !scenario_.program          ? ""
                      : scenario_.simulated_clock ? "simulated"
                                                  : "real",
-            .unrepeatable = clock_ ? clock_->coordinator()->unrepeatable() : "",
+            .think = think_,
+            .computed = ComputedMs(),
+            .unrepeatable = unrepeatable_,
             .repeats = repeats_,
             .ladder = Climb(rehearse::OpenRecordings(recordings), scenario_.stages,
                             scenario_.config, rehearsal.judged, folder_),
@@ -272,12 +250,15 @@ class OneRehearsal {
             .wall = rehearsal.wall};
   }
 
-  const RehearseArguments& arguments_;
+  RehearseArguments arguments_;  // with the `think` that was measured
+  double think_ = 0;             // ms
   fs::path file_;
   rehearse::Scenario scenario_;
   std::optional<SimulatedClock> clock_;
   fs::path folder_;
-  std::optional<bool> repeats_;  // of --twice
+  std::optional<std::uint64_t> start_;  // of the second run of --twice
+  std::optional<bool> repeats_;         // of --twice
+  std::string unrepeatable_;            // why two runs differ, or may; "": no cause is known
 };
 
 int RehearseCommand(const RehearseArguments& arguments) {
@@ -295,11 +276,16 @@ int RehearseCommand(const RehearseArguments& arguments) {
     if (arguments.twice) {
       throw ConfigError("--twice plays one run of a scenario with `vary`: which, --run says");
     }
+    RehearseArguments of_runs = arguments;
+    if (of_runs.clock.measures) {  // once, of the first run, for all
+      of_runs.run = 1;
+      of_runs.clock.think = MeasureThink(of_runs);
+    }
     return CampaignCommand({.file = file,
                             .written = arguments.scenario,
                             .varied = *varied,
                             .options = ScenarioOptionsOf(arguments),
-                            .words = OptionsOf(arguments),
+                            .words = OptionsOf(of_runs),
                             .out = FolderOf(arguments.out, file),
                             .host_network = arguments.network.network == "host",
                             .json = arguments.json},

@@ -244,14 +244,21 @@ int RunCommand(const RunArguments& arguments) {
   return static_cast<int>(run::RunWorld(config, options));
 }
 
-int ExecCommand(const RunArguments& arguments) {
+int ExecCommand(RunArguments arguments) {
   if (arguments.help_config || arguments.print_config) return RunCommand(arguments);
-  std::optional<SimulatedClock> clock;
-  if (arguments.clock.simulated()) clock.emplace(arguments.command, arguments.clock.think);
-  config::Config config = Load(arguments);
   run::RunOptions options;
+  std::optional<SimulatedClock> clock;
+  if (arguments.clock.simulated()) {
+    RequireTakesClock(arguments.command);
+    const double think = ThinkFor(arguments.clock);
+    clock.emplace(think);
+    options.recording.late_messages = think > 0;
+    if (Measures()) arguments.record = "", arguments.view = arguments.gamepad = false;
+  }
+  config::Config config = Load(arguments);
   options.script = LoadScript(arguments, config);
-  options.recording = RecordingOf(arguments);
+  options.recording.file = arguments.record;
+  options.recording.overwrite = arguments.overwrite;
   // The panels listen in the machine's network, where the browser is.
   ControlPlace place(arguments.name, config);
   place.AddPanels(config);
@@ -274,6 +281,7 @@ int ExecCommand(const RunArguments& arguments) {
   exec::ChildProcess child(arguments.command, environment, -1, output ? output->descriptor() : -1,
                            network.program_rights());
   network.Settle();
+  if (arguments.clock.trace) clock->Trace();
   std::deque<CompanionProcess> companions = CompanionsOf(arguments, control);
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
             .json = arguments.json,
@@ -310,7 +318,10 @@ int ExecCommand(const RunArguments& arguments) {
     child.Terminate(kGrace);
     code = child.Wait();
   }
-  if (clock) clock->RequireProgram(arguments.command);
+  if (clock) {
+    clock->RequireProgram(arguments.command);
+    clock->TellComputed();
+  }
   return robot == ExitCode::kOk ? *code : static_cast<int>(robot);
 }
 

@@ -10,18 +10,18 @@
 #include "record/ros2msg.h"
 
 namespace understudy::record {
-namespace {
 
-constexpr std::size_t kHead = 4;
-
-// Returns 0 if the size is not fixed.
-std::size_t SizeOf(std::string_view primitive) {
+std::size_t NumberSize(std::string_view primitive) {
   if (primitive == "bool" || primitive.ends_with("int8")) return 1;
   if (primitive.ends_with("int16")) return 2;
   if (primitive.ends_with("32")) return 4;
   if (primitive.ends_with("64")) return 8;
   return 0;
 }
+
+namespace {
+
+constexpr std::size_t kHead = 4;
 
 [[noreturn]] void HasNoPlace(std::string_view type, const MessageField& field) {
   throw RecordError(std::string(type) + "." + std::string(field.name) +
@@ -32,7 +32,7 @@ std::size_t SizeOf(std::string_view primitive) {
 void Skip(std::string_view in, const MessageField& field, int count, std::size_t* offset) {
   const auto message = RosMessages().find(field.type);
   if (field.many == Many::kSequence ||
-      (message == RosMessages().end() && SizeOf(field.type) == 0)) {
+      (message == RosMessages().end() && NumberSize(field.type) == 0)) {
     HasNoPlace(in, field);
   }
   for (int i = 0; i < count; ++i) {
@@ -41,7 +41,7 @@ void Skip(std::string_view in, const MessageField& field, int count, std::size_t
         Skip(field.type, inner, inner.count, offset);
       }
     } else {
-      const std::size_t size = SizeOf(field.type);
+      const std::size_t size = NumberSize(field.type);
       *offset = (*offset + size - 1) / size * size + size;
     }
   }
@@ -89,32 +89,10 @@ CdrField FindFrom(std::string_view type, std::string_view path, std::size_t offs
       return FindFrom(field.type, dot == path.size() ? "" : path.substr(dot + 1), offset);
     }
     if (dot != path.size()) throw RecordError(std::string(type) + "." + name + ": is a number");
-    const std::size_t size = SizeOf(field.type);
+    const std::size_t size = NumberSize(field.type);
     return {.type = std::string(field.type), .offset = (offset + size - 1) / size * size};
   }
   throw RecordError(std::string(type) + " has no field '" + name + "'" + DidYouMean(name, names));
-}
-
-// Advances `offset` up to the number that has the byte `wanted`, and returns its path; "" if it
-// is none of the type's.
-std::string PathTo(std::string_view type, std::size_t wanted, std::size_t* offset) {
-  const auto message = RosMessages().find(type);
-  if (message == RosMessages().end()) return "";
-  for (const MessageField& field : message->second) {
-    for (int i = 0; i < field.count; ++i) {
-      std::size_t end = *offset;
-      Skip(type, field, 1, &end);
-      if (wanted >= end) {
-        *offset = end;
-        continue;
-      }
-      std::string path = std::string(field.name) +
-                         (field.many == Many::kArray ? "[" + std::to_string(i) + "]" : "");
-      if (!RosMessages().contains(field.type)) return path;
-      return path + "." + PathTo(field.type, wanted, offset);
-    }
-  }
-  return "";
 }
 
 template <typename Number>
@@ -130,18 +108,9 @@ CdrField FindField(std::string_view ros_type_name, std::string_view path) {
   return FindFrom(ros_type_name, path, 0);
 }
 
-std::string FieldAt(std::string_view ros_type_name, std::size_t at) {
-  std::size_t offset = 0;
-  try {
-    return at < kHead ? "" : PathTo(ros_type_name, at - kHead, &offset);
-  } catch (const RecordError&) {  // it has no fixed place
-    return "";
-  }
-}
-
 std::optional<double> ReadField(const CdrField& field, ByteSpan message) {
   const std::size_t at = kHead + field.offset;
-  if (message.size() < at + SizeOf(field.type) || message[0] != std::byte{0} ||
+  if (message.size() < at + NumberSize(field.type) || message[0] != std::byte{0} ||
       message[1] != std::byte{1}) {
     return std::nullopt;
   }

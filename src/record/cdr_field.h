@@ -16,14 +16,14 @@ struct CdrField {
   std::size_t offset = 0;  // bytes, after the four bytes of the encoding
 };
 
+// Returns the bytes of a number by its type's name in ros2msg, such as "float32"; 0 of another
+// type.
+std::size_t NumberSize(std::string_view type);
+
 // Returns the field `path`, such as "motor_state[3].q", of a type by its ROS name; arrays need an
 // index. Throws RecordError, with the nearest name, for a field that does not exist, and for one
 // without a fixed position because a text or sequence precedes it.
 CdrField FindField(std::string_view ros_type_name, std::string_view path);
-
-// Returns the path of the number that has the byte at `at` of a message in the form of
-// CdrSample::bytes(); "" if nothing has a fixed place there, or the type is unknown.
-std::string FieldAt(std::string_view ros_type_name, std::size_t at);
 
 // Returns its value in a message in the form of CdrSample::bytes(); nullopt if the message is too
 // short or not little-endian XCDR1.

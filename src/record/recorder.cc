@@ -38,7 +38,8 @@ Recorder::Recorder(const bus::Participant& participant, OutputFile file, const R
       ours_(participant.key()),
       watch_(participant),
       timestep_(timestep.count()),
-      start_(static_cast<std::uint64_t>(SinceEpoch() - first_step * timestep.count())),
+      start_(head.start.value_or(
+          static_cast<std::uint64_t>(SinceEpoch() - first_step * timestep.count()))),
       say_(std::move(say)),
       audience_(audience),
       writer_(std::move(file), "ros2", std::string("understudy ") + kVersion),

@@ -39,6 +39,7 @@ struct RecordingHead {
   std::optional<RosRobot> ros{};  // the topics of ros_topics.h; none: they are left out
   std::size_t events_of = 0;  // the number of the robot whose events and the world's are written
   BaseAddress base{};         // of the truth
+  std::optional<std::uint64_t> start{};  // when the run began, ns since 1970; none: by the clock
 };
 
 // The truth between two steps, offered by the loop.
@@ -60,8 +61,9 @@ inline constexpr double kEventEvery = 0.1;
 // they are discovered) and merges them with the moments of the loop into one file, in order of
 // time.
 //
-// The log_time of a message is the wall time of the start, or what it was had the run kept to real
-// time so far, plus the simulated time of the tick in which it was sent or could first be taken.
+// The log_time of a message is the start of the run, by the clock unless the head says otherwise,
+// or what it was had the run kept to real time so far, plus the simulated time of the tick in which
+// it was sent or could first be taken.
 class Recorder {
  public:
   // Receives lines for the log; `error` tells warnings from errors.

@@ -111,12 +111,14 @@ const char* Word(Outcome outcome, bool colored) {
 
 std::string RepeatsText(const Occasion& occasion) {
   std::string text = occasion.clock == "simulated" ? "clock: simulated" : "";
+  if (occasion.think > 0) text += Printed(", think: %.6g ms", occasion.think);
   if (occasion.repeats) {
     text += text.empty() ? "" : ", ";
     text += std::string("repeatable: ") + (*occasion.repeats ? "yes" : "no");
   }
-  return text +
-         (occasion.unrepeatable.empty() ? "" : "; two runs may differ: " + occasion.unrepeatable);
+  if (occasion.unrepeatable.empty()) return text;
+  const bool differed = occasion.repeats && !*occasion.repeats;
+  return text + (differed ? "; cause: " : "; two runs may differ: ") + occasion.unrepeatable;
 }
 
 std::string TellLines(const Occasion& occasion, const Expectations& expectations,
@@ -191,16 +193,19 @@ std::string TellJson(const Occasion& occasion, const Expectations& expectations,
   if (occasion.ladder) ladder = Told(*occasion.ladder);
   const ordered_json repeatable =
       occasion.repeats ? ordered_json(*occasion.repeats) : ordered_json(nullptr);
+  const ordered_json computed =
+      occasion.computed ? ordered_json(*occasion.computed) : ordered_json(nullptr);
   const ordered_json told = {
-      {"title", occasion.title},   {"scenario", occasion.source},
-      {"robot", occasion.robot},   {"recording", occasion.recording},
-      {"repeat", occasion.repeat}, {"passed", judged.Count(Outcome::kPassed)},
-      {"failed", judged.failed()}, {"not_judged", judged.Count(Outcome::kNotJudged)},
-      {"seconds", judged.end},     {"stopped", occasion.stopped},
-      {"clock", occasion.clock},   {"unrepeatable", occasion.unrepeatable},
-      {"repeatable", repeatable},  {"failures", failures},
-      {"about", judged.about},     {"damage", damage(0)},
-      {"robots", robots},          {"ladder", ladder},
+      {"title", occasion.title},    {"scenario", occasion.source},
+      {"robot", occasion.robot},    {"recording", occasion.recording},
+      {"repeat", occasion.repeat},  {"passed", judged.Count(Outcome::kPassed)},
+      {"failed", judged.failed()},  {"not_judged", judged.Count(Outcome::kNotJudged)},
+      {"seconds", judged.end},      {"stopped", occasion.stopped},
+      {"clock", occasion.clock},    {"unrepeatable", occasion.unrepeatable},
+      {"think_ms", occasion.think}, {"computed_ms", computed},
+      {"repeatable", repeatable},   {"failures", failures},
+      {"about", judged.about},      {"damage", damage(0)},
+      {"robots", robots},           {"ladder", ladder},
       {"verdicts", verdicts}};
   return told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

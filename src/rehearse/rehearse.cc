@@ -152,7 +152,10 @@ Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
   run.private_network = options.private_network;
   run.programs = options.programs;
   run.script = scenario.script;
-  run.recording = {.file = options.recording, .overwrite = true};
+  run.recording = {.file = options.recording,
+                   .overwrite = true,
+                   .start = options.start,
+                   .late_messages = options.late_messages};
   for (std::size_t i = 0; i < scenario.config.robots.size(); ++i) {
     run.audiences.push_back(jury.Hearing(i));
   }

@@ -1,9 +1,11 @@
 // Plays a scenario and judges it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +20,13 @@
 namespace understudy::rehearse {
 
 struct RehearsalOptions {
-  std::vector<run::Access> access{};    // by number of the robot
-  std::filesystem::path recording{};    // is replaced; of several robots as run::RecordingOf has it
-  bool private_network = false;         // nothing leads out of it
-  bool to_the_end = false;              // also when an expectation has failed
-  std::function<bool()> interrupted{};  // true ends it
+  std::vector<run::Access> access{};  // by number of the robot
+  std::filesystem::path recording{};  // is replaced; of several robots as run::RecordingOf has it
+  bool late_messages = false;         // as run::RecordingOptions has it
+  std::optional<std::uint64_t> start{};  // of the recording, as record::RecordingHead has it
+  bool private_network = false;          // nothing leads out of it
+  bool to_the_end = false;               // also when an expectation has failed
+  std::function<bool()> interrupted{};   // true ends it
   double limit = std::numeric_limits<double>::infinity();  // wall s after which it is ended
   time::ProgramClock* programs = nullptr;                  // null: the program is on real time
   exec::ProgramOutput* output = nullptr;  // of the program; null: nobody asks what it prints

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/printed.h"
-#include "record/cdr_field.h"
+#include "record/schema_field.h"
+#include "record/truth.h"
 
 namespace understudy::rehearse {
 namespace {
@@ -27,7 +29,8 @@ struct Said {
 
 // What was said on one topic.
 struct Topic {
-  std::string type{};      // its ROS name
+  std::string schema{};  // of its type
+  bool is_programs = false;
   std::size_t before = 0;  // messages before this window
   std::vector<Said> said{};
 };
@@ -58,7 +61,8 @@ void ReadWindow(const RecordingReader& reader, std::uint64_t from, Topics* topic
         Topic& topic = (*topics)[channel.topic +
                                  (who == channel.metadata.end() ? "" : " from " + who->second)];
         const record::McapSchema* const schema = reader.SchemaOf(channel);
-        if (schema != nullptr) topic.type = schema->name;
+        if (schema != nullptr) topic.schema = schema->data;
+        topic.is_programs = who != channel.metadata.end() && who->second == "client";
         topic.said.push_back(
             {.at = message.log_time - start, .bytes = {message.data.begin(), message.data.end()}});
         return true;
@@ -68,53 +72,61 @@ void ReadWindow(const RecordingReader& reader, std::uint64_t from, Topics* topic
 std::string TimeText(std::uint64_t ns) { return Printed("%.6g s", 1e-9 * static_cast<double>(ns)); }
 
 // "motor_cmd[3].q was 0.67, then 0.68", or "byte 52".
-std::string BytesText(const std::string& type, const std::vector<std::byte>& first,
+std::string BytesText(const std::string& schema, const std::vector<std::byte>& first,
                       const std::vector<std::byte>& second) {
+  const auto at =
+      static_cast<std::size_t>(std::ranges::mismatch(first, second).in1 - first.begin());
+  // Up to there both are the same: in both the value is at one place.
+  const std::optional<record::SchemaField> field = record::FieldWithByte(schema, first, at);
+  if (field) {
+    return field->path + " was " + ValueText(*field, first) + ", then " + ValueText(*field, second);
+  }
   if (first.size() != second.size()) {
     return Printed("was %zu bytes long, then %zu", first.size(), second.size());
   }
-  const auto at =
-      static_cast<std::size_t>(std::ranges::mismatch(first, second).in1 - first.begin());
-  const std::string path = record::FieldAt(type, at);
-  if (path.empty()) return Printed("byte %zu differs", at);
-  const record::CdrField field = record::FindField(type, path);
-  const std::optional<double> was = record::ReadField(field, first);
-  const std::optional<double> is = record::ReadField(field, second);
-  if (!was || !is) return path + " differs";
-  return path + Printed(" was %.9g, then %.9g", *was, *is);
+  return Printed("byte %zu differs", at);
 }
 
-struct Difference {
-  std::uint64_t at = 0;
-  std::string text{};
-};
+// Whether a message is the program's, or an event that says something of it.
+bool IsOfProgram(const std::string& name, const Topic& topic, const Said& said) {
+  if (name.starts_with(record::kEventTopic)) {
+    return record::DecodeEvent(said.bytes).kind.starts_with("program_");
+  }
+  return topic.is_programs;
+}
 
 // The first of one topic in this window.
 std::optional<Difference> Between(const std::string& name, const Topic& first,
                                   const Topic& second) {
-  const auto [one, other] = std::ranges::mismatch(first.said, second.said);
+  const auto places = std::ranges::mismatch(first.said, second.said);
+  const auto one = places.in1, other = places.in2;
   const bool in_first = one != first.said.end(), in_second = other != second.said.end();
   if (!in_first && !in_second) return std::nullopt;
-  const std::string which =
-      "message " +
-      std::to_string(first.before + static_cast<std::size_t>(one - first.said.begin()) + 1) +
-      " of " + name;
+  const auto difference = [&](std::uint64_t at, const std::string& text) {
+    const std::size_t number =
+        first.before + static_cast<std::size_t>(one - first.said.begin()) + 1;
+    return Difference{.at = 1e-9 * static_cast<double>(at),
+                      .text = "message " + std::to_string(number) + " of " + name + text,
+                      .of_program = (in_first && IsOfProgram(name, first, *one)) ||
+                                    (in_second && IsOfProgram(name, second, *other))};
+  };
   if (!in_first || !in_second) {
     const std::uint64_t at = in_first ? one->at : other->at;
-    return Difference{at, which + " at " + TimeText(at) + " is only in the " +
-                              (in_first ? "first" : "second") + " run"};
+    return difference(
+        at, " at " + TimeText(at) + " is only in the " + (in_first ? "first" : "second") + " run");
   }
   if (one->at != other->at) {
-    return Difference{std::min(one->at, other->at),
-                      which + " was at " + TimeText(one->at) + ", then at " + TimeText(other->at)};
+    return difference(std::min(one->at, other->at),
+                      " was at " + TimeText(one->at) + ", then at " + TimeText(other->at));
   }
-  return Difference{one->at, which + " at " + TimeText(one->at) + ": " +
-                                 BytesText(first.type, one->bytes, other->bytes)};
+  return difference(one->at, " at " + TimeText(one->at) + ": " +
+                                 BytesText(first.schema, one->bytes, other->bytes));
 }
 
 }  // namespace
 
-std::string FirstDifference(const RecordingReader& first, const RecordingReader& second) {
+std::optional<Difference> FirstDifference(const RecordingReader& first,
+                                          const RecordingReader& second) {
   const auto length = [](const RecordingReader& reader) {
     return std::max(reader.contents().last_time, StartOf(reader)) - StartOf(reader);
   };
@@ -127,11 +139,27 @@ std::string FirstDifference(const RecordingReader& first, const RecordingReader&
     std::optional<Difference> found;
     for (const auto& [name, topic] : of_second) {
       const std::optional<Difference> one = Between(name, of_first[name], topic);
-      if (one && (!found || one->at < found->at)) found = one;
+      if (!one) continue;
+      // What the program says comes before what the robot makes of it.
+      const auto order = [](const Difference& of) { return std::pair(of.at, !of.of_program); };
+      if (!found || order(*one) < order(*found)) found = one;
     }
-    if (found) return found->text;
+    if (found) return found;
   }
-  return "";
+  return std::nullopt;
+}
+
+std::string CauseOf(const Difference& difference, const Repeated& runs) {
+  if (!runs.unrepeatable.empty()) return runs.unrepeatable;
+  if (runs.with_program && !runs.simulated_clock) {
+    return "the program is on the computer's clock: --clock simulated puts it on the robot's";
+  }
+  if (!runs.private_network) return "others on the network are on the computer's clock";
+  if (difference.of_program) {
+    return std::string("the program itself: it draws chance from the system, or its threads race") +
+           (runs.realtime_priority ? "" : ", as they had no real-time priority");
+  }
+  return "a request by ctl or the panel, or a fault of Understudy: the program has no part in it";
 }
 
 }  // namespace understudy::rehearse

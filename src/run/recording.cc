@@ -170,6 +170,7 @@ Recording::Recording(const RecordingOptions& options, std::size_t robot,
       config_(config),
       sight_(std::move(sight)),
       world_(*world),
+      late_messages_(options.late_messages),
       audience_(options.audience),
       head_(HeadOf(config, robot, draws, *world)),
       moment_(Prototype(config.robots[robot].spec, *world)),
@@ -177,6 +178,7 @@ Recording::Recording(const RecordingOptions& options, std::size_t robot,
           1, std::llround(
                  1 / (config.robots[robot].spec.rates.lowstate_hz * config.physics.timestep)))),
       sheet_every_(std::max<std::int64_t>(1, std::llround(kSheetEvery / config.physics.timestep))) {
+  head_.start = options.start;
   if (!options.file.empty()) {
     recorder_ = Start({.file = options.file, .overwrite = options.overwrite, .config = config});
     file_ = options.file;
@@ -314,7 +316,9 @@ void Recording::Offer() {
     }
   }
   if (world_.step() % sheet_every_ == 0) OfferDamage();
-  if (audience_ != nullptr && world_.pace().speed == 0 && world_.step() % kHeardEvery == 0) {
+  const bool heard =
+      audience_ != nullptr && world_.pace().speed == 0 && world_.step() % kHeardEvery == 0;
+  if (late_messages_ || heard) {
     recorder_->CatchUp();
   }
 }

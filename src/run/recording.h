@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -24,6 +25,10 @@ inline constexpr std::int64_t kHeardEvery = 100;
 struct RecordingOptions {
   std::filesystem::path file;  // empty: no recording
   bool overwrite = false;
+  std::optional<std::uint64_t> start{};  // as RecordingHead has it
+  // Messages of programs come later than they say, by what the program thinks. It is caught up with
+  // in every step then, so that each is recorded in the step in which it came.
+  bool late_messages = false;
   // Hears what is written; may be null. A run as fast as possible waits for it every kHeardEvery
   // steps, so that what it knows then depends on nothing but the run.
   record::Audience* audience = nullptr;
@@ -89,6 +94,7 @@ class Recording final : public Attachment {
   const config::Config& config_;
   std::shared_ptr<const assembly::SightModel> sight_;
   emulator::World& world_;
+  bool late_messages_;
   record::Audience* audience_;
   record::RecordingHead head_;  // but for configuration and model
   record::Moment moment_;

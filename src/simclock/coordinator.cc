@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -34,6 +33,7 @@ constexpr microseconds kPatience(200);  // for a thread that sleeps and does not
 constexpr seconds kMostSleeping(60);    // until a thread that sleeps in the kernel goes on
 constexpr milliseconds kStalledStep(1);
 constexpr seconds kLookEvery(1);  // for processes that are not on the clock
+constexpr milliseconds kWatchEvery(50);
 
 Wall Now() { return time::SteadyClock().Now(); }
 
@@ -73,14 +73,6 @@ std::optional<std::pair<int, UniqueFd>> CoreOfOurOwn() {
   return std::nullopt;
 }
 
-bool HasLibrary(int pid) {
-  std::ifstream maps("/proc/" + std::to_string(pid) + "/maps");
-  for (std::string line; std::getline(maps, line);) {
-    if (line.find("/libsimclock.so") != std::string::npos) return true;
-  }
-  return !maps.eof();  // it cannot be read: of another user, or gone
-}
-
 }  // namespace
 
 Coordinator::Coordinator(Page* page, bool realtime, std::chrono::nanoseconds most_computing)
@@ -98,6 +90,10 @@ Coordinator::Coordinator(Page* page, bool realtime, std::chrono::nanoseconds mos
 Coordinator::~Coordinator() = default;
 
 std::string Coordinator::Begin() {
+  loop_ = ::gettid();
+  if (page_.fifo != 0) {  // on the other cores, as this thread has them yet
+    watching_ = std::jthread([this](const std::stop_token& stop) { Watch(stop); });
+  }
   Pin(page_.core);
   if (page_.fifo != 0 && !TakeFifo()) page_.fifo = 0;
   return "the program's clock is simulated; all threads on core " + std::to_string(page_.core) +
@@ -253,7 +249,9 @@ bool Coordinator::AllAsleep(bool patient) {
         break;
       case Sleep::kAsleep:
         if (slot.state == State::kFired) return false;  // its wake-up is on its way
-        if (slot.state == State::kRunning) ++loose;
+        if (slot.state != State::kRunning) break;
+        ++loose;
+        NoteRawSleep(i);
         break;
     }
   }
@@ -279,6 +277,7 @@ bool Coordinator::Stalls(Wall now) {
     std::this_thread::sleep_for(kStalledStep);
     return true;
   }
+  if (const std::uint32_t one = computing_; one > 0) return NoteStall(one - 1);
   if (!busy_since_) busy_since_ = now;
   if (now < *busy_since_ + seconds(1)) return false;
   for (std::uint32_t i = 0; i < page_.used; ++i) {
@@ -288,11 +287,58 @@ bool Coordinator::Stalls(Wall now) {
     const std::int64_t before = busy_cpu_.try_emplace(i, cpu).first->second;
     const bool computes = cpu - before > most_computing_.count();
     if (!computes && now < *busy_since_ + kMostSleeping) continue;
-    NoteUnrepeatable(sleepers_.Describe(i) + " computes and does not wait: time goes on beside it");
-    stalled_ = true;
-    return true;
+    return NoteStall(i);
   }
   return false;
+}
+
+bool Coordinator::NoteStall(std::uint32_t computing) {
+  NoteUnrepeatable(sleepers_.Describe(computing) +
+                   " computes and does not wait: time goes on beside it");
+  stalled_ = true;
+  return true;
+}
+
+// Looks for a thread that computes while time stands, as the loop cannot.
+void Coordinator::Watch(const std::stop_token& stop) {
+  const Sleepers sleepers(&page_);
+  std::int64_t before = -1;
+  std::map<std::uint32_t, std::int64_t> cpu;  // when time began to stand, by slot
+  for (; !stop.stop_requested(); std::this_thread::sleep_for(kWatchEvery)) {
+    if (const std::int64_t now = page_.now; now != before) {
+      before = now;
+      cpu.clear();
+    }
+    for (std::uint32_t i = 0; i < page_.used; ++i) {
+      if (page_.slots[i].state != State::kRunning || page_.slots[i].pid == 0) continue;
+      const std::int64_t had = sleepers.CpuOf(i);
+      if (had - cpu.try_emplace(i, had).first->second > most_computing_.count()) {
+        return TakePriority(i);
+      }
+    }
+  }
+}
+
+void Coordinator::TakePriority(std::uint32_t computing) {
+  computing_ = computing + 1;
+  page_.fifo = 0;
+  const sched_param usual{};
+  for (std::uint32_t i = 0; i < page_.used; ++i) {
+    const Slot& slot = page_.slots[i];
+    if (slot.state != State::kFree && slot.tid > 0) {
+      ::sched_setscheduler(slot.tid, SCHED_OTHER, &usual);
+    }
+  }
+  ::sched_setscheduler(loop_, SCHED_OTHER, &usual);
+}
+
+// A program that asks the kernel by itself, past libc, sleeps in real time.
+void Coordinator::NoteRawSleep(std::uint32_t index) {
+  const std::string call = sleepers_.CallOf(index);
+  if (call != "nanosleep" && call != "clock_nanosleep") return;
+  if (!raw_sleepers_.insert(page_.slots[index].tid).second) return;
+  if (!HasLibrary(page_.slots[index].pid)) return;  // LookForStrangers() will say so
+  NoteUnrepeatable(sleepers_.Describe(index) + " sleeps in real time, by a system call of its own");
 }
 
 void Coordinator::NoteUnrepeatable(const std::string& why) {

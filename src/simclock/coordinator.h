@@ -1,10 +1,12 @@
 // Lets simulated time go on when every thread of the programs waits.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -20,7 +22,9 @@ namespace understudy::simclock {
 // simulated time.
 //
 // All threads share a core. With the right to SCHED_FIFO they run above the loop's thread, which
-// therefore has the core only when all of them sleep. Without it, it looks into /proc.
+// therefore has the core only when all of them sleep. Without it, it looks into /proc. A thread
+// that computes without end would keep the loop from the core for ever: another thread takes the
+// priority from all then.
 class Coordinator final : public time::ProgramClock {
  public:
   // `page` must outlive this. `realtime`: whether to ask for SCHED_FIFO. A thread that computes for
@@ -42,6 +46,9 @@ class Coordinator final : public time::ProgramClock {
   // Whether the program has not taken the clock for so long that it never will.
   bool program_is_missing() const { return missing_; }
 
+  // Whether threads run under SCHED_FIFO, on a core of their own.
+  bool has_priority() const { return page_.fifo != 0; }
+
   // Why two runs may differ; "" while there is no cause.
   const std::string& unrepeatable() const { return unrepeatable_; }
 
@@ -56,9 +63,13 @@ class Coordinator final : public time::ProgramClock {
   void Interrupt(Slot* slot) const;
   void Bury(std::uint32_t index);
   bool Stalls(time::Clock::Time now);
+  bool NoteStall(std::uint32_t computing);
+  void NoteRawSleep(std::uint32_t index);
   void NoteUnrepeatable(const std::string& why);
   void LookForStrangers(time::Clock::Time now);
   void Coast(const std::stop_token& stop);
+  void Watch(const std::stop_token& stop);
+  void TakePriority(std::uint32_t computing);
 
   Page& page_;
   Sleepers sleepers_;
@@ -76,7 +87,12 @@ class Coordinator final : public time::ProgramClock {
   time::Clock::Time looked_for_strangers_{};
   std::map<int, std::string> known_;  // process to its file, on the clock
   std::map<int, time::Clock::Time> suspects_;
+  std::set<int> raw_sleepers_;  // threads
+  int loop_ = 0;                // its thread
+  std::atomic<std::uint32_t> computing_ =
+      0;  // the slot, plus 1, for which TakePriority() was called
   std::jthread coasting_;
+  std::jthread watching_;
 };
 
 }  // namespace understudy::simclock

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -38,6 +37,12 @@ std::string Variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
+// The descriptor that was given to this process; -1: none.
+int FileOfStart() {
+  const std::string given = Variable(kPageVariable);
+  return given.empty() ? -1 : static_cast<int>(std::strtol(given.c_str(), nullptr, 10));
+}
+
 [[noreturn]] void StartAnew(const UniqueFd& page) {
   const std::string before = Variable(kPreload);
   const std::string library = LibraryFile().string();
@@ -46,14 +51,12 @@ std::string Variable(const char* name) {
   }
   ::setenv(kPreload, before.empty() ? library.c_str() : (library + ":" + before).c_str(), 1);
   ::setenv(kPageVariable, std::to_string(page.get()).c_str(), 1);
-  std::ifstream file("/proc/self/cmdline", std::ios::binary);
-  std::string words{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::string> words = OwnWords();
   std::vector<char*> arguments;
-  for (std::size_t at = 0; at < words.size(); at = words.find('\0', at) + 1) {
-    arguments.push_back(words.data() + at);
-  }
+  for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  ::execv("/proc/self/exe", arguments.data());
+  // By its own path: the process keeps its name.
+  ::execv(std::filesystem::read_symlink("/proc/self/exe").c_str(), arguments.data());
   Fail("this program cannot be started anew");
 }
 
@@ -84,9 +87,34 @@ Page* MapPage(int file) {
   return at == MAP_FAILED ? nullptr : static_cast<Page*>(at);
 }
 
+std::vector<std::string> OwnWords() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
+  return words;
+}
+
+std::optional<std::chrono::nanoseconds> MedianComputed(const Page& page) {
+  std::uint64_t all = 0, sum = 0;
+  for (const auto& count : page.computed) all += count;
+  for (std::size_t span = 0; span < kSpans && all > 0; ++span) {
+    sum += page.computed[span];
+    if (2 * sum >= all) return std::chrono::nanoseconds(LeastOf(span));
+  }
+  return std::nullopt;
+}
+
+std::optional<std::chrono::nanoseconds> ThinkOfStart() {
+  Page* const page = MapPage(FileOfStart());
+  if (page == nullptr) return std::nullopt;
+  const bool ours = page->robot == ::getpid();
+  const std::chrono::nanoseconds think(page->think);
+  ::munmap(page, sizeof(Page));
+  return ours ? std::optional(think) : std::nullopt;
+}
+
 OwnPage::OwnPage(std::chrono::nanoseconds think) {
-  const std::string given = Variable(kPageVariable);
-  if (!given.empty()) Take(static_cast<int>(std::strtol(given.c_str(), nullptr, 10)));
+  if (const int file = FileOfStart(); file >= 0) Take(file);
   if (page_ == nullptr) StartAnew(MakePage(think));
 }
 

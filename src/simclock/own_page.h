@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,17 @@ UniqueFd MakePage(std::chrono::nanoseconds think);
 
 // Maps it; null: it cannot be had.
 Page* MapPage(int file);
+
+// The median of the processor's time that programs on the clock took from the end of a sleep to the
+// next message of that thread, 6 % at most too short; nullopt: none has slept and then sent.
+std::optional<std::chrono::nanoseconds> MedianComputed(const Page& page);
+
+// The `think` of the page for which this process was started anew; nullopt if it was not, or if
+// OwnPage has it already.
+std::optional<std::chrono::nanoseconds> ThinkOfStart();
+
+// The words of the command line of this process.
+std::vector<std::string> OwnWords();
 
 // A page for the programs that this process starts. Cyclone DDS in this process lives by it too,
 // for which the library has to be in it: the first call starts this process anew, with its words

@@ -5,12 +5,14 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace understudy::simclock {
 
 inline constexpr std::uint32_t kMagic = 0x554e4443U;
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
 inline constexpr std::uint32_t kMostThreads = 1024;  // *assumed*, of all programs together
 inline constexpr std::int64_t kNever = INT64_MAX;
 // Has the number of the descriptor of the page, which programs inherit.
@@ -45,6 +47,20 @@ struct alignas(64) Slot {
   std::array<char, 16> what;           // the call in which it waits
 };
 
+// How long threads compute, in steps of a sixteenth of each power of two [ns].
+inline constexpr std::size_t kSpans = 16 * 60;
+inline constexpr std::size_t SpanOf(std::int64_t ns) {
+  if (ns < 16) return ns < 0 ? 0 : static_cast<std::size_t>(ns);
+  const auto time = static_cast<std::uint64_t>(ns);
+  const int shift = static_cast<int>(std::bit_width(time)) - 5;  // what remains has five bits
+  return 16 * static_cast<std::size_t>(shift) + static_cast<std::size_t>(time >> shift);
+}
+// The shortest time of a span [ns].
+inline constexpr std::int64_t LeastOf(std::size_t span) {
+  if (span < 32) return static_cast<std::int64_t>(span);
+  return static_cast<std::int64_t>(16 + span % 16) << (span / 16 - 1);
+}
+
 struct Page {
   std::uint32_t magic, version;
   std::int32_t robot;               // the robot's process
@@ -56,6 +72,9 @@ struct Page {
   std::atomic<std::int32_t> program;   // the first process that took the clock; 0: none has
   std::atomic<std::uint32_t> refused;  // threads for which there was no slot
   std::atomic<std::uint32_t> spins;    // waits of threads that only read the clock
+  // How often a thread took how much of the processor's time from the end of a sleep to its next
+  // message, by SpanOf().
+  std::array<std::atomic<std::uint32_t>, kSpans> computed;
 
   alignas(64) std::atomic<std::int64_t> now;      // ns, CLOCK_MONOTONIC of the programs
   alignas(64) std::atomic<std::int32_t> running;  // threads that do not say that they wait

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <string_view>
 #include <system_error>
@@ -38,45 +39,54 @@ bool IsWork(std::string_view function) {
       kWork, [&](std::string_view one) { return function.find(one) != std::string_view::npos; });
 }
 
-bool IsWaitingCall(long number) {
-  constexpr long kCalls[] = {
+struct Call {
+  long number;
+  const char* name;
+};
+
+// System calls that wait for somebody.
+constexpr Call kWaitingCalls[] = {
 #ifdef SYS_poll
-      SYS_poll,
-      SYS_select,
-      SYS_epoll_wait,
-      SYS_pause,
+    {SYS_poll, "poll"},
+    {SYS_select, "select"},
+    {SYS_epoll_wait, "epoll_wait"},
+    {SYS_pause, "pause"},
 #endif
-      SYS_futex,
-      SYS_read,
-      SYS_readv,
-      SYS_ppoll,
-      SYS_pselect6,
-      SYS_epoll_pwait,
-      SYS_epoll_pwait2,
-      SYS_recvfrom,
-      SYS_recvmsg,
-      SYS_recvmmsg,
-      SYS_accept,
-      SYS_accept4,
-      SYS_connect,
-      SYS_wait4,
-      SYS_waitid,
-      SYS_rt_sigsuspend,
-      SYS_rt_sigtimedwait,
-      SYS_nanosleep,
-      SYS_clock_nanosleep,
-      SYS_flock,
-      SYS_restart_syscall,
-      SYS_futex_waitv,
-      SYS_mq_timedreceive,
-      SYS_mq_timedsend};
-  return std::ranges::find(kCalls, number) != std::end(kCalls);
+    {SYS_futex, "futex"},
+    {SYS_read, "read"},
+    {SYS_readv, "readv"},
+    {SYS_ppoll, "ppoll"},
+    {SYS_pselect6, "pselect6"},
+    {SYS_epoll_pwait, "epoll_pwait"},
+    {SYS_epoll_pwait2, "epoll_pwait2"},
+    {SYS_recvfrom, "recvfrom"},
+    {SYS_recvmsg, "recvmsg"},
+    {SYS_recvmmsg, "recvmmsg"},
+    {SYS_accept, "accept"},
+    {SYS_accept4, "accept4"},
+    {SYS_connect, "connect"},
+    {SYS_wait4, "wait4"},
+    {SYS_waitid, "waitid"},
+    {SYS_rt_sigsuspend, "rt_sigsuspend"},
+    {SYS_rt_sigtimedwait, "rt_sigtimedwait"},
+    {SYS_nanosleep, "nanosleep"},
+    {SYS_clock_nanosleep, "clock_nanosleep"},
+    {SYS_flock, "flock"},
+    {SYS_restart_syscall, "restart_syscall"},
+    {SYS_futex_waitv, "futex_waitv"},
+    {SYS_mq_timedreceive, "mq_timedreceive"},
+    {SYS_mq_timedsend, "mq_timedsend"}};
+
+// The call in which a thread is; -1 if it is in none, or the kernel does not tell.
+long CallNumber(int pid, int tid) {
+  const std::string text = Read(TaskFile(pid, tid, "syscall"));
+  const bool is_number = !text.empty() && text[0] >= '0' && text[0] <= '9';
+  return is_number ? std::strtol(text.c_str(), nullptr, 10) : -1;
 }
 
 bool InWaitingCall(int pid, int tid) {
-  const std::string text = Read(TaskFile(pid, tid, "syscall"));
-  return !text.empty() && text[0] >= '0' && text[0] <= '9' &&
-         IsWaitingCall(std::strtol(text.c_str(), nullptr, 10));
+  const long number = CallNumber(pid, tid);
+  return std::ranges::find(kWaitingCalls, number, &Call::number) != std::end(kWaitingCalls);
 }
 
 bool IsZombie(int pid, int tid) {
@@ -120,17 +130,35 @@ std::int64_t Sleepers::CpuOf(std::uint32_t index) const {
   return std::strtoll(Read(TaskFile(slot.pid, slot.tid, "schedstat")).c_str(), nullptr, 10);
 }
 
+std::string Sleepers::CallOf(std::uint32_t index) const {
+  const Slot& slot = page_.slots[index];
+  const long number = CallNumber(slot.pid, slot.tid);
+  if (number < 0) return "";
+  const auto* const call = std::ranges::find(kWaitingCalls, number, &Call::number);
+  return call == std::end(kWaitingCalls) ? "system call " + std::to_string(number) : call->name;
+}
+
 std::string Sleepers::Describe(std::uint32_t index) const {
   const Slot& slot = page_.slots[index];
-  std::string text = "thread " + std::to_string(slot.tid) + " of " + NameOfProcess(slot.pid) +
-                     " (" + std::to_string(slot.pid) + ")";
-  return slot.state == State::kRunning ? text : text + ", in " + slot.what.data();
+  const std::string process = NameOfProcess(slot.pid);
+  std::string thread = Read(TaskFile(slot.pid, slot.tid, "comm"));
+  if (!thread.empty()) thread.pop_back();  // the end of the line
+  return "thread " + std::to_string(slot.tid) + (thread == process ? "" : ", " + thread + ",") +
+         " of " + process + " (" + std::to_string(slot.pid) + ")";
 }
 
 bool HasEnded(int pid) {
   std::error_code gone;
   const std::filesystem::directory_iterator tasks("/proc/" + std::to_string(pid) + "/task", gone);
   return gone || (std::distance(tasks, {}) <= 1 && IsZombie(pid, pid));
+}
+
+bool HasLibrary(int pid) {
+  std::ifstream maps("/proc/" + std::to_string(pid) + "/maps");
+  for (std::string line; std::getline(maps, line);) {
+    if (line.find("/libsimclock.so") != std::string::npos) return true;
+  }
+  return !maps.eof();  // it cannot be read: of another user, or gone
 }
 
 std::string NameOfProcess(int pid) {

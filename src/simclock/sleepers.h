@@ -24,7 +24,11 @@ class Sleepers {
   // Nanoseconds of CPU that the thread has had; 0 if it is gone.
   std::int64_t CpuOf(std::uint32_t slot) const;
 
-  // "thread 1234 of python3 (1230), in condition": for a line of the log.
+  // The call in which the thread sleeps without saying that it waits, as "nanosleep" or "system
+  // call 61"; "" if it is in none, or the kernel does not tell.
+  std::string CallOf(std::uint32_t slot) const;
+
+  // "thread 1234, dq.builtin, of python3 (1230)": for a line of the log.
   std::string Describe(std::uint32_t slot) const;
 
  private:
@@ -39,6 +43,9 @@ class Sleepers {
 
 // Whether no thread of a process is left.
 bool HasEnded(int pid);
+
+// Whether the library is in a process; true where that cannot be read.
+bool HasLibrary(int pid);
 
 // The name of a process; "" if it is gone.
 std::string NameOfProcess(int pid);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,6 +54,29 @@ TEST(BenchTest, GivesTheSpeedOfRehearsalsOnItsOwn) {
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].at("at_least"), 15);
   EXPECT_GT(figures[1].at("measured"), 1);
+}
+
+TEST(BenchTest, GivesWhatTheSimulatedClockKeepsToOnItsOwn) {
+  const auto figures = nlohmann::json::parse(OutputOf(BENCH " --clock --brief --json"))
+                           .at("figures")
+                           .get<std::vector<nlohmann::json>>();
+  std::vector<double> bounds;
+  for (const auto& figure : figures) {
+    bounds.push_back(figure.at("at_least"));
+    EXPECT_THAT(figure.at("measured").get<double>(), testing::AllOf(testing::Ge(0), Lt(1000)))
+        << figure;
+  }
+  EXPECT_THAT(bounds, testing::ElementsAre(15, 1, 1, 1, 8, 0.9));
+  EXPECT_GT(figures.at(0).at("measured"), 0.1);
+}
+
+TEST(BenchTest, GivesTheSpeedOfAnyProgramOnTheSimulatedClock) {
+  const auto figures =
+      nlohmann::json::parse(OutputOf(BENCH " --clock --brief --json --times 3 -- sleep 30"))
+          .at("figures");
+  ASSERT_EQ(figures.size(), 3U);
+  EXPECT_EQ(figures[0].at("at_least"), 3);
+  EXPECT_GT(figures[0].at("measured"), 1);
 }
 
 TEST(BenchTest, GivesTheStartOfEveryRobotOnItsOwn) {

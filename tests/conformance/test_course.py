@@ -13,7 +13,8 @@ LENGTH = 28.0  # m along x, with 1 m to the left and back and a turn
 def test_a_go2_walks_thirty_metres_and_knows_where_it_is():
     then_where = '"$@" && "$UNDERSTUDY" ctl snapshot --parts qpos'
     done = subprocess.run(
-        [os.environ["UNDERSTUDY"], "exec", "go2", "--seed", "1", "--speed", "2", "--scene", str(COURSE / "course.yaml"), "--",
+        [os.environ["UNDERSTUDY"], "exec", "go2", "--seed", "1", "--clock", "simulated",
+         "--scene", str(COURSE / "course.yaml"), "--",
          "sh", "-c", then_where, "then-where", sys.executable, str(COURSE / "walk.py")],
         capture_output=True, text=True, timeout=110)  # fmt: skip
 

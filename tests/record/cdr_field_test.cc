@@ -79,19 +79,6 @@ TEST(CdrFieldTest, ReadsANumber) {
   EXPECT_EQ(ReadField(sec, AsBytes(std::string("\0\0\0\0\0\0\0\1", 8))), std::nullopt);
 }
 
-TEST(CdrFieldTest, NamesTheNumberThatHasAByte) {
-  for (const char* path : {"head[0]", "motor_state[3].q", "imu_state.gyroscope[2]", "crc"}) {
-    const std::size_t first = 4 + FindField("unitree_go/msg/LowState", path).offset;
-    EXPECT_EQ(FieldAt("unitree_go/msg/LowState", first), path);
-  }
-  const std::size_t q = 4 + FindField("unitree_go/msg/LowState", "motor_state[3].q").offset;
-  EXPECT_EQ(FieldAt("unitree_go/msg/LowState", q + 3), "motor_state[3].q");
-  EXPECT_EQ(FieldAt("unitree_go/msg/LowState", 3), "");     // of the encoding
-  EXPECT_EQ(FieldAt("unitree_go/msg/LowState", 9000), "");  // after the last
-  EXPECT_EQ(FieldAt("unitree_go/msg/HeightMap", 60), "");   // after a text
-  EXPECT_EQ(FieldAt("another/msg/Type", 8), "");
-}
-
 TEST(CdrFieldTest, NamesTheNearestField) {
   const auto fault = [](const std::string& path) {
     return [path] { FindField("unitree_go/msg/LowState", path); };

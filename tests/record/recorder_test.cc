@@ -29,9 +29,13 @@ class RecorderTest : public McapFilesTest {
  protected:
   std::unique_ptr<Recorder> Start(const bus::Participant& participant,
                                   const std::filesystem::path& file, std::int64_t first_step = 0,
-                                  std::optional<RosRobot> ros = {}) {
-    const RecordingHead head{
-        .about = {{"robot", "go2"}}, .config = "robot: {}\n", .model = {}, .ros = std::move(ros)};
+                                  std::optional<RosRobot> ros = {},
+                                  std::optional<std::uint64_t> start = {}) {
+    const RecordingHead head{.about = {{"robot", "go2"}},
+                             .config = "robot: {}\n",
+                             .model = {},
+                             .ros = std::move(ros),
+                             .start = start};
     const Moment moment{.truth = {.qpos = {0, 0}}};
     return std::make_unique<Recorder>(participant, OutputFile(file, true), head, &ring_, moment,
                                       std::chrono::milliseconds(1), first_step,
@@ -94,6 +98,14 @@ class RecorderTest : public McapFilesTest {
   std::mutex mutex_;
   std::vector<std::string> said_;
 };
+
+TEST_F(RecorderTest, BeginsWhenTheHeadSays) {
+  const bus::Participant ours("lo", test::NewDomain());
+  const auto file = folder_.path() / "again.mcap";
+  Start(ours, file, 0, {}, 1'767'225'600'000'000'000).reset();
+  const McapReader reader(file);
+  EXPECT_EQ(reader.contents().metadata.at("understudy").at("start_time_ns"), "1767225600000000000");
+}
 
 TEST_F(RecorderTest, KeepsEveryMessageAtItsStep) {
   const bus::Participant ours("lo", test::NewDomain());

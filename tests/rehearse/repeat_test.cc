@@ -1,6 +1,7 @@
 #include "rehearse/repeat.h"
 
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,14 @@
 #include "record/mcap_reader.h"
 #include "record/mcap_writer.h"
 #include "record/ros2msg.h"
+#include "record/truth.h"
 #include "tests/support/temporary_folder.h"
 
 namespace understudy::rehearse {
 namespace {
 
+using testing::EndsWith;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr char kState[] = "unitree_go/msg/LowState", kCmd[] = "unitree_go/msg/LowCmd";
@@ -27,6 +31,8 @@ struct Talk {
   std::size_t late = 10'000;   // this command comes a period later
   std::size_t other = 10'000;  // this one asks for another angle
   std::size_t states = 1500;
+  std::size_t heard = 10'000;  // in this state the robot is another
+  std::string ends = "0.5 s";  // what an event says of the program's end, at 1 s
 };
 
 class RepeatTest : public testing::Test {
@@ -40,13 +46,23 @@ class RepeatTest : public testing::Test {
                                "cdr", {{"from", from}});
     };
     const auto state = channel("/lowstate", kState, "robot");
+    const auto event = writer.AddChannel(
+        record::kEventTopic, writer.AddSchema(record::kEventType, "ros2msg", record::kEventText),
+        "cdr", {{"from", "simulation"}});
     const auto cmd = channel("/lowcmd", kCmd, "client");
     const record::CdrField q = record::FindField(kCmd, "motor_cmd[3].q");
     for (std::size_t i = 0; i < 1500; ++i) {
       std::string message(2000, '\0');
       message[1] = 1;  // little-endian
       const std::uint64_t at = play.start + i * kPeriod;
+      if (i == play.heard) message[5] = 1;
+      if (i == 500) {
+        record::BytesOut ended;
+        record::EncodeEvent({.kind = "program_end", .text = play.ends}, &ended);
+        writer.Write(event, at, at, ended.span());
+      }
       if (i < play.states) writer.Write(state, at, at, record::AsBytes(message));
+      message[5] = 0;
       if (i >= play.commands) continue;
       const float angle = i == play.other ? 0.75F : 0.5F;
       std::memcpy(&message[4 + q.offset], &angle, sizeof(angle));
@@ -56,6 +72,10 @@ class RepeatTest : public testing::Test {
     return file;
   }
   std::string Difference(const Talk& first, const Talk& second) {
+    const auto found = Found(first, second);
+    return found ? found->text : "";
+  }
+  std::optional<rehearse::Difference> Found(const Talk& first, const Talk& second) {
     return FirstDifference(record::McapReader(Recording("first.mcap", first)),
                            record::McapReader(Recording("second.mcap", second)));
   }
@@ -82,6 +102,36 @@ TEST_F(RepeatTest, NamesWhatOneRunAloneSays) {
             "message 1500 of /lowstate from robot at 2.998 s is only in the second run");
   EXPECT_EQ(Difference({}, {.commands = 0}),
             "message 1 of /lowcmd from client at 0 s is only in the first run");
+}
+
+TEST_F(RepeatTest, NamesATextThatDiffers) {
+  EXPECT_EQ(
+      Difference({}, {.ends = "0.6 s"}),
+      "message 1 of understudy/events from simulation at 1 s: text was '0.5 s', then '0.6 s'");
+}
+
+TEST_F(RepeatTest, OfTwoAtOneInstantNamesWhatTheProgramSaid) {
+  const auto found = Found({}, {.other = 800, .heard = 800});
+  ASSERT_TRUE(found);
+  EXPECT_THAT(found->text, HasSubstr("/lowcmd"));
+  EXPECT_TRUE(found->of_program);
+  EXPECT_FALSE(Found({}, {.other = 801, .heard = 800})->of_program);
+  EXPECT_TRUE(Found({}, {.ends = ""})->of_program);
+}
+
+TEST(CauseTest, IsWhatIsKnownTheSurest) {
+  const Difference of_program{.of_program = true}, of_robot{};
+  const Repeated clocked{.with_program = true, .simulated_clock = true};
+  Repeated stalled = clocked;
+  stalled.unrepeatable = "thread 7 of python3 (7) computes";
+  EXPECT_EQ(CauseOf(of_program, stalled), "thread 7 of python3 (7) computes");
+  EXPECT_THAT(CauseOf(of_program, {.with_program = true}), HasSubstr("the computer's clock"));
+  EXPECT_THAT(CauseOf(of_robot, {.private_network = false}), HasSubstr("others on the network"));
+  EXPECT_THAT(CauseOf(of_program, clocked), HasSubstr("had no real-time priority"));
+  Repeated prior = clocked;
+  prior.realtime_priority = true;
+  EXPECT_THAT(CauseOf(of_program, prior), EndsWith("or its threads race"));
+  EXPECT_THAT(CauseOf(of_robot, clocked), HasSubstr("the program has no part in it"));
 }
 
 }  // namespace

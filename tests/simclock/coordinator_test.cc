@@ -12,6 +12,7 @@
 namespace understudy::simclock {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -73,6 +74,16 @@ TEST(CoordinatorTest, ComputingTakesNoTime) {
   EXPECT_THAT(run.printed, HasSubstr(".000000000"));
 }
 
+TEST(CoordinatorTest, AChildThatDidNotTakeTheClockIsTold) {
+  EXPECT_THAT(Shell("LD_PRELOAD= sleep 3").unrepeatable,
+              AllOf(HasSubstr("sleep ("), HasSubstr("did not take the clock")));
+}
+
+TEST(CoordinatorTest, AThreadThatSleepsPastLibcIsTold) {
+  const test::ClockedRun run = test::RunOnClock({UNDERSTUDY_WAITS, "unseen"});
+  EXPECT_THAT(run.unrepeatable, AllOf(HasSubstr(" of waits ("), HasSubstr("sleeps in real time")));
+}
+
 TEST(CoordinatorTest, WaitsEndInAnOrderThatRepeats) {
   const std::string script =
       "for i in 11 13 17 19 23 29; do (for k in 1 2 3 4 5; do sleep 0.0${i}; echo $i$k; done) & "
@@ -87,6 +98,14 @@ TEST(CoordinatorTest, TimeGoesOnBesideABusyLoopAndThatIsSaid) {
   const test::ClockedRun run =
       Shell("(while :; do :; done) & busy=$!; sleep 0.01; kill $busy; exit 0",
             {.most_computing = std::chrono::milliseconds(200)});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.unrepeatable, HasSubstr("computes and does not wait"));
+}
+
+TEST(CoordinatorTest, ABusyLoopWithPriorityDoesNotKeepTimeForEver) {
+  const test::ClockedRun run =
+      Shell("(while :; do :; done) & busy=$!; sleep 0.01; kill $busy; exit 0",
+            {.realtime = true, .most_computing = std::chrono::milliseconds(200)});
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.unrepeatable, HasSubstr("computes and does not wait"));
 }

@@ -48,6 +48,7 @@ ClockedRun RunOnClock(const std::vector<std::string>& command, const ClockedOpti
     }
     run.simulated = step * 1e-3;
     run.unrepeatable = clock.unrepeatable();
+    run.computed = simclock::MedianComputed(*page);
     clock.End();
     std::array<char, 65536> text{};
     const ssize_t size = ::read(out.get(), text.data(), text.size());

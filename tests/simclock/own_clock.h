@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct ClockedRun {
   double simulated = 0;   // s
   double wall = 0;        // s
   std::string unrepeatable{};
+  std::optional<std::chrono::nanoseconds> computed{};  // as MedianComputed has it
 };
 
 struct ClockedOptions {

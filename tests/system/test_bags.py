@@ -34,7 +34,7 @@ def made_fixture(tmp_path_factory):
     as `ros2 bag record --compression-format zstd` does: message by message, and each file."""
     folder = tmp_path_factory.mktemp("bags")
     (folder / "stands.yaml").write_text((ROOT / "config" / "scenarios" / "sdk_stand.yaml").read_text() + EXPECT)
-    done = understudy("rehearse", folder / "stands.yaml", "--out", folder / "out", "--", sys.executable,
+    done = understudy("rehearse", folder / "stands.yaml", "--out", folder / "out", "--clock", "simulated", "--", sys.executable,
                       ROOT / "examples" / "python" / "stand.py", "lo", timeout=240)
     # It compares what it judged in the run with what it judges from the recording, bit for bit.
     assert done.returncode == 0, done.stdout + done.stderr

@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import time
@@ -80,9 +81,18 @@ def test_a_program_that_draws_real_chance_is_not_repeatable(understudy, tmp_path
     done = rehearsed(understudy, tmp_path, draws, "--twice")
 
     assert done.returncode == 10
-    assert "clock: simulated, repeatable: no" in done.stdout
+    assert "clock: simulated, repeatable: no; cause: the program itself: it draws chance" in done.stdout
     assert "the second run differs from the first: message" in done.stdout
     assert "understudy/events" in done.stdout
+
+
+def test_a_robot_alone_says_the_same_twice(understudy, tmp_path):
+    scenario = tmp_path / "alone.yaml"
+    scenario.write_text("scenario: a robot alone\nrobot: go2\nduration: 2\nexpect: [safe]\n")
+    done = understudy("rehearse", scenario, "--no-pictures", "--twice", cwd=tmp_path, timeout=120)
+
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "repeatable: yes" in done.stdout
 
 
 def test_one_run_says_nothing_of_another(understudy, tmp_path):
@@ -124,6 +134,16 @@ def test_kill_9_leaves_nothing_behind(understudy, tmp_path):
     assert {one for one in set(os.listdir("/dev/shm")) - before if "understudy" in one} == set()
 
 
+def test_a_trace_says_who_waits_for_what_until_when(understudy):
+    waits = "import threading, time; threading.Thread(target=time.sleep, args=[30], name='sleeper').start(); time.sleep(60)"
+    done = understudy("exec", "go2", *CLOCK, "--speed", "20", "--clock-trace", "--", sys.executable, "-c", waits)
+
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"^clock: [\d.]+ s$", done.stderr, re.MULTILINE)
+    assert re.search(r"^  thread \d+ of python\S* \(\d+\): waits in sleep until 60\.\d+ s$", done.stderr, re.MULTILINE)
+    assert re.search(r"^  thread \d+, \S+, of understudy \(\d+\): waits in \w+", done.stderr, re.MULTILINE)
+
+
 def test_the_exit_code_is_the_programs(understudy):
     assert understudy("exec", "go2", *CLOCK, "--", "sh", "-c", "sleep 1; exit 7").returncode == 7
 
@@ -160,6 +180,7 @@ def make_program(path):
 
 @pytest.mark.parametrize("words, says", [
     (["--think", "3"], "--think"),
+    (["--clock-trace"], "--clock-trace"),
     (["--clock", "simulated", "--network", "host"], "--network private"),
 ])
 def test_options_that_contradict_each_other_are_refused(understudy, words, says):
@@ -184,6 +205,37 @@ def test_thinking_makes_a_program_slower(understudy, tmp_path):
     slow = run_on_clock(understudy, tmp_path, "slow", "--think", "2.5")
 
     assert slow["/lowstate"][0] > 1.2 * usual["/lowstate"][0]
+
+
+def test_what_a_program_computes_is_measured_and_taken(understudy, tmp_path):
+    done = understudy("exec", "go2", *CLOCK, "--think", "auto", "--released", "--", *holds_pose(1), timeout=120)
+
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"^think: \S+ ms, measured on this computer$", done.stderr, re.MULTILINE)
+
+    done = rehearsed(understudy, tmp_path, holds_pose(1), *CLOCK, "--think", "auto",
+                     more="settings: {motion: {service: none}}\n")
+    assert done.returncode == 0, done.stdout + done.stderr
+    measured = float(re.search(r"think: (\S+) ms, measured", done.stderr).group(1))
+    told = json.loads((tmp_path / "rehearsals/plays/verdict.json").read_text())
+    assert told["think_ms"] == pytest.approx(measured, rel=1e-3) and told["computed_ms"] > 0
+    assert f"clock: simulated, think: {measured:g} ms" in done.stdout
+    assert f"--think {measured:g}" in told["repeat"]
+
+
+@pytest.mark.parametrize("think", ["slow", "-1", "2000", "3x"])
+def test_a_think_is_auto_or_a_time(understudy, think):
+    done = understudy("exec", "go2", *CLOCK, "--think", think, "--", "true")
+
+    assert done.returncode == 2
+    assert "expected auto, or ms from 0 to 1000" in done.stderr
+
+
+def test_a_program_that_thinks_says_the_same_twice(understudy, tmp_path):
+    done = rehearsed(understudy, tmp_path, STAND, "--twice", *CLOCK, "--think", "0.7")
+
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "clock: simulated, think: 0.7 ms, repeatable: yes" in done.stdout
 
 
 def test_twice_is_of_one_run(understudy, tmp_path):

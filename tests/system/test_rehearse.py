@@ -207,7 +207,8 @@ def test_a_stop_signal_has_it_judge_what_there_is_and_finish_the_recording(runti
 
 
 def test_the_example_with_the_vendors_sdk_stands_up_and_lies_down(rehearse, tmp_path):
-    done = rehearse("sdk_stand", program=[sys.executable, ROOT / "examples" / "python" / "stand.py", "lo"])
+    done = rehearse("sdk_stand", "--clock", "simulated",
+                    program=[sys.executable, ROOT / "examples" / "python" / "stand.py", "lo"])
     assert done.returncode == 0, done.stdout + done.stderr
     assert len(outcomes(tmp_path / "out")) == 6 and set(outcomes(tmp_path / "out").values()) == {"passed"}
 

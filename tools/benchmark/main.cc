@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "client.h"
+#include "clock.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/robot_file.h"
@@ -31,14 +32,17 @@ struct Effort {
   double walk = 8;          // simulated s
   int rehearsals = 1000;
   int clouds = 200;
+  ClockEffort clock{};
 };
-constexpr Effort kBrief = {.rounds = {.count = 3, .window = 0.1, .settle = 1000},
-                           .samples = 50,
-                           .starts = 1,
-                           .memory_after = 0.2,
-                           .walk = 1,
-                           .rehearsals = 4,
-                           .clouds = 2};
+constexpr Effort kBrief = {
+    .rounds = {.count = 3, .window = 0.1, .settle = 1000},
+    .samples = 50,
+    .starts = 1,
+    .memory_after = 0.2,
+    .walk = 1,
+    .rehearsals = 4,
+    .clouds = 2,
+    .clock = {.seconds = 2, .speeds = 1, .pairs = 1, .flooded = 1, .rehearsals = 2}};
 
 // Of the stepping; the other figures are of these robots in their own start.
 constexpr Doing kDoings[] = {
@@ -59,7 +63,8 @@ int Main(int argc, char** argv) {
       "bench");
   bool json = false, brief = false;
   bool only_start = false, only_rehearsals = false, only_further = false;
-  bool only_perception = false;
+  bool only_perception = false, only_clock = false;
+  ClockedProgram program;
   std::string understudy =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "understudy";
   std::string helper, helper_robot;
@@ -71,8 +76,14 @@ int Main(int argc, char** argv) {
   app.add_flag("--perception", only_perception, "Only what a lidar's rays take");
   app.add_option("--understudy", understudy, "The program to measure [the one beside this]")
       ->check(CLI::ExistingFile);
+  app.add_flag("--clock", only_clock,
+               "Only programs on the simulated clock: the C client of the tests, or the command "
+               "after --");
+  app.add_option("--times", program.times, "Simulated s per s that are wanted of it [15]");
+  app.add_option("command", program.command, "A program for --clock, and its arguments, after --")
+      ->type_name("CMD...");
   app.add_option("--helper", helper)->group("");  // this program as its own other end
-  app.add_option("--robot", helper_robot)->group("");
+  app.add_option("--robot", helper_robot, "The robot of --clock [go2]");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -86,11 +97,16 @@ int Main(int argc, char** argv) {
     std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);
     return 0;
   };
-  if (!only_start && !only_rehearsals && !only_further) {
+  if (!only_start && !only_rehearsals && !only_further && !only_clock) {
     figures = MeasurePerception(effort.clouds);
   }
   if (only_perception) return print();
   exec::EnterPrivateNetwork();
+  if (only_clock) {
+    if (!helper_robot.empty()) program.robot = helper_robot;
+    figures = MeasureClock(understudy, program, effort.clock);
+    return print();
+  }
   const auto add = [&figures](const std::vector<Figure>& more) {
     figures.insert(figures.end(), more.begin(), more.end());
   };

@@ -17,6 +17,9 @@ double ThreadCpu();
 // Seconds of CPU of the children that have ended, and of theirs.
 double CpuOfChildren();
 
+// On which this program may run.
+int Cores();
+
 // Runs a program silently to its end and returns its exit code; -1 if a signal ended it.
 int RunToEnd(const std::vector<std::string>& arguments);
 

@@ -4,8 +4,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include <sched.h>
-
 #include "base/temporary_folder.h"
 #include "process.h"
 
@@ -14,13 +12,6 @@ namespace {
 
 constexpr double kWantedSpeed = 15;  // times real time, of a core
 constexpr int kSeconds = 10;         // simulated, of a run
-
-int Cores() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof(set), &set) != 0) return 1;
-  return CPU_COUNT(&set);
-}
 
 }  // namespace
 

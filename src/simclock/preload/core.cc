@@ -21,12 +21,20 @@ OWN Slot* self = nullptr;
 OWN std::int64_t last_read = 0;
 OWN std::int64_t spins_since = -1;
 OWN int reads = 0;
-OWN bool slept = false;  // and has sent nothing since
+OWN bool slept = false;        // and has sent nothing since
+OWN std::int64_t woke_at = 0;  // the processor's time of this thread then [ns]
 OWN bool collects = false;
 #undef OWN
 
 pthread_key_t key;                    // frees the slot of a thread that ends
 constexpr int kAboveCoordinator = 2;  // real-time priority; the coordinator has 1
+
+// Of this thread [ns].
+std::int64_t ProcessorTime() {
+  timespec time{};
+  REAL(clock_gettime)(CLOCK_THREAD_CPUTIME_ID, &time);
+  return Ns(time);
+}
 
 void RingIfQuiet(std::int32_t running) {
   if (running > page->loose.load() || page->listening.load() == 0) return;
@@ -221,11 +229,16 @@ int FutexWait(void* word, std::uint32_t value, std::uint32_t mask, bool is_priva
   return Unblock() && error == -EINTR ? ETIMEDOUT : static_cast<int>(-error);
 }
 
-void BeginThinking() { slept = true; }
+void BeginThinking() {
+  slept = true;
+  woke_at = ProcessorTime();
+}
+
 void Think() {
-  if (page == nullptr || !slept || in_robot || page->think == 0 || Waiter() == nullptr) return;
+  if (page == nullptr || !slept || in_robot || Waiter() == nullptr) return;
   slept = false;
-  SleepThrough(Now() + page->think, "think");
+  page->computed[SpanOf(ProcessorTime() - woke_at)].fetch_add(1, std::memory_order_relaxed);
+  if (page->think > 0) SleepThrough(Now() + page->think, "think");
 }
 
 }  // namespace understudy::simclock

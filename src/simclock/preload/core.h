@@ -127,7 +127,8 @@ int TryUntil(std::int64_t deadline, int busy, Attempt attempt) {
   }
 }
 
-// A thread that has slept takes the time of `--think` to its next message.
+// A thread that has slept takes the time of `--think` to its next message; what it computed until
+// then is counted.
 void BeginThinking();
 void Think();
 
