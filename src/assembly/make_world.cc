@@ -124,7 +124,13 @@ std::vector<double> PossibleTimesteps(const config::Config& config) {
 // `config` has the names of the model.
 MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::ModelHandle nominal,
                  robot::Draws draws, Notes notes) {
-  return {.world = {std::move(model), PlacedRobots(config), std::move(nominal)},
+  std::vector<physics::PlacedRobot> placed = PlacedRobots(config);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const std::string& look = config.robots[i].look;
+    if (look.empty()) continue;
+    notes.push_back({kInfo, "drawn by the meshes of " + physics::CheckLook(placed[i], look)});
+  }
+  return {.world = {std::move(model), std::move(placed), std::move(nominal)},
           .draws = std::move(draws),
           .notes = std::move(notes),
           .sight = std::make_shared<const SightModel>(config)};

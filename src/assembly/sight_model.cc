@@ -30,7 +30,10 @@ std::shared_ptr<const mjModel> SightModel::Get() const {
   const std::lock_guard lock(mutex_);
   if (model_ == nullptr) {
     const config::SceneFile scene(config_.scene, config_.terrain);
-    model_ = physics::LoadSightModel(PlacedRobots(config_), scene.path(), config_.physics.timestep);
+    std::vector<std::string> looks;
+    for (const config::RobotConfig& robot : config_.robots) looks.push_back(robot.look);
+    model_ = physics::LoadSightModel(PlacedRobots(config_), scene.path(), config_.physics.timestep,
+                                     looks);
     malloc_trim(0);  // compiling needs many times the memory of the result
   }
   return model_;

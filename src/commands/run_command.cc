@@ -76,6 +76,10 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddShortOption(app, arguments, "--model", "robot.model", "FILE",
                  "MJCF in place of the robot's, with the same joint names")
       ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
+  AddShortOption(app, arguments, "--look", "look", "PATH",
+                 "Draw the robot by the visual meshes of this copy of unitree_ros or "
+                 "unitree_mujoco, or of this MJCF or URDF")
+      ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
   AddShortOption(app, arguments, "--revision", "robot.revision", "NAME",
                  "Hardware revision, as `understudy robots` lists them [the robot's default]");
   AddShortOption(

@@ -66,6 +66,7 @@ struct StartConfig {
 struct RobotConfig {
   std::string name;     // in its world; as spec.name if it is alone
   std::string profile;  // of the sensors: a name in config/profiles
+  std::string look;     // a file or folder whose visual meshes draw it; "" for its model's shapes
   NetworkConfig network;
   sensors::SensorConfig sensors;
   authority::GateConfig gate;

@@ -135,6 +135,9 @@ void DescribeProfile(Archive& a, RobotConfig& c) {
   a.Key(UNDERSTUDY_NVP(c.profile),
         {"How good the sensors are: a name in config/profiles, whose values of `sensors` lie below "
          "all that --config and --set say; \"\" is nominal"});
+  a.Key(UNDERSTUDY_NVP(c.look),
+        {"A copy of unitree_ros or unitree_mujoco, or MJCF or URDF, whose visual meshes draw the "
+         "robot (docs/reference/looking.md); \"\": the model's own shapes"});
 }
 
 void DescribeWhere(Archive& a, RobotConfig& c) {
@@ -214,8 +217,8 @@ void Describe(Archive& a, Config& c) {
 }
 
 const std::vector<std::string>& RobotConfigKeys() {
-  static const std::vector<std::string> kKeys = {"profile", "network", "sensors", "gate", "motion",
-                                                 "crane",   "start",   "faults",  "robot"};
+  static const std::vector<std::string> kKeys = {"profile", "look",  "network", "sensors", "gate",
+                                                 "motion",  "crane", "start",   "faults",  "robot"};
   return kKeys;
 }
 

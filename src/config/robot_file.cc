@@ -96,7 +96,7 @@ void FindBeside(const path& file, YamlValue* named) {
   if (named == nullptr || named->text.empty()) return;
   std::error_code error;
   const path beside = file.parent_path() / named->text;
-  if (std::filesystem::is_regular_file(beside, error)) {
+  if (std::filesystem::exists(beside, error)) {
     named->text = std::filesystem::absolute(beside).lexically_normal().string();
   }
 }
@@ -152,6 +152,7 @@ std::vector<std::string> RobotNames(const path& data_dir) {
 
 YamlValue ReadLayer(const path& file) {
   YamlValue tree = ReadYamlFile(file);
+  FindBeside(file, tree.Find("look"));
   YamlValue* robot = tree.Find("robot");
   if (robot == nullptr) return tree;
   FindBeside(file, robot->Find("model"));

@@ -109,13 +109,16 @@ std::string LeftOutLooks::text() const {
          Count(textures, "texture") + " that are only looked at were left out";
 }
 
+std::set<const MjcfElement*> VisualGeoms(const MjcfElement& root) {
+  if (CompilerSays(root, "inertiafromgeom") == "true") return {};
+  return Looks(root).geoms();
+}
+
 LeftOutLooks LeaveOutLooks(MjcfElement* root) {
   LeftOutLooks left_out;
-  if (CompilerSays(*root, "inertiafromgeom") != "true") {
-    const Looks looks(*root);
-    left_out.geoms = static_cast<int>(looks.geoms().size());
-    if (left_out.geoms > 0) *root = Without(*root, looks.geoms());
-  }
+  const std::set<const MjcfElement*> geoms = VisualGeoms(*root);
+  left_out.geoms = static_cast<int>(geoms.size());
+  if (left_out.geoms > 0) *root = Without(*root, geoms);
   std::set<std::string> meshes;
   CollectMeshes(*root, &meshes);
   for (MjcfElement& section : root->children) {

@@ -1,6 +1,7 @@
 // Removes visual-only geoms from a running model: nobody looks at it, so they need no compiling.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct LeftOutLooks {
   // mesh was.
   std::string text() const;
 };
+
+// Returns the geoms that are only looked at: they collide with nothing, weigh nothing and are named
+// nowhere. Their addresses hold while no element of the tree is added or removed.
+std::set<const MjcfElement*> VisualGeoms(const MjcfElement& root);
 
 // Leaves out, exactly for the motion and for every reading: geoms that collide with nothing, weigh
 // nothing (their body has an <inertial>, or mass or density of theirs is 0) and are named nowhere;

@@ -12,6 +12,7 @@
 #include "mjcf/compile.h"
 #include "mjcf/fit_names.h"
 #include "mjcf/join.h"
+#include "mjcf/look.h"
 #include "mjcf/looks.h"
 #include "mjcf/mount.h"
 #include "mjcf/mujoco_hooks.h"
@@ -217,13 +218,18 @@ mjcf::MjcfElement Read(const std::filesystem::path& file, [[maybe_unused]] Looks
   return root;
 }
 
-LoadedRobot LoadRobot(const PlacedRobot& robot, Looks looks, LoadNotes* notes) {
+mjcf::MjcfElement ReadRobot(const PlacedRobot& robot, Looks looks, LoadNotes* notes) {
   mjcf::InstallMujocoHooks();
   mjcf::MjcfElement tree = Read(robot.file, looks, notes);
   std::vector<mjcf::MjcfElement> hands;
   for (const std::filesystem::path& file : robot.hands) hands.push_back(Read(file, looks, notes));
   mjcf::MountHands(robot.spec, std::move(hands), &tree);
   mjcf::Revise(robot.spec, &tree);
+  return tree;
+}
+
+LoadedRobot LoadRobot(const PlacedRobot& robot, Looks looks, LoadNotes* notes) {
+  mjcf::MjcfElement tree = ReadRobot(robot, looks, notes);
   mjcf::ModelHandle model = mjcf::CompileMjcf(tree);
   return {std::move(tree), std::move(model)};
 }
@@ -329,20 +335,38 @@ mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots,
 }
 
 mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,
-                                 const std::filesystem::path& scene_file, double timestep) {
-  const auto load = [&](Looks looks) {
+                                 const std::filesystem::path& scene_file, double timestep,
+                                 const std::vector<std::string>& looks) {
+  const auto load = [&](Looks kept, const std::vector<std::string>& by) {
     std::vector<LoadedRobot> loaded;
-    for (const PlacedRobot& robot : robots) {
-      loaded.push_back(LoadRobot(robot, looks, nullptr));
-      mjcf::AddCameras(robot.spec, &loaded.back().tree);
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      loaded.push_back(LoadRobot(robots[i], kept, nullptr));
+      mjcf::MjcfElement& tree = loaded.back().tree;
+      if (i < by.size() && !by[i].empty()) mjcf::PutOn(mjcf::FindLook(by[i], tree), &tree);
+      mjcf::AddCameras(robots[i].spec, &tree);
     }
-    return Compose(robots, std::move(loaded), scene_file, timestep, looks, nullptr);
+    return Compose(robots, std::move(loaded), scene_file, timestep, kept, nullptr);
   };
+  // A file of looks may have gone since the start, or be one that MuJoCo cannot read.
   try {
-    return load(Looks::kKept);
-  } catch (const ModelError&) {  // a file of looks is missing, or MuJoCo cannot read it
-    return load(Looks::kLeftOut);
+    return load(Looks::kKept, looks);
+  } catch (const ModelError&) {
   }
+  try {
+    return load(Looks::kKept, {});
+  } catch (const ModelError&) {
+    return load(Looks::kLeftOut, {});
+  }
+}
+
+std::string CheckLook(const PlacedRobot& robot, const std::string& look) {
+  mjcf::Look found = mjcf::FindLook(look, ReadRobot(robot, Looks::kLeftOut, nullptr));
+  mjcf::MjcfElement asset = Element("asset", {});
+  asset.children = std::move(found.meshes);
+  mjcf::MjcfElement meshes = Element("mujoco", {});
+  meshes.children.push_back(std::move(asset));
+  mjcf::CompileMjcf(meshes);
+  return found.file.string() + ", " + std::to_string(found.bodies.size()) + " bodies";
 }
 
 FittedModel LoadFittedModel(const PlacedRobot& robot, const std::filesystem::path& scene_file,

@@ -45,11 +45,17 @@ mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots,
                                  LoadNotes* notes = nullptr);
 
 // Compiles the same world for viewers, with its visual-only elements if all of them can be read,
-// and with the cameras of the robots.
-// Bodies, joints and positions are those of the world, geoms are not. The descriptions are those
-// with which the world was loaded, or the fitted ones. Throws as above.
+// and with the cameras of the robots. `looks` has for each robot a file or folder whose visual
+// meshes draw it (mjcf/look.h), or ""; where MuJoCo cannot read those, robots have their own
+// shapes. Bodies, joints and positions are those of the world, geoms are not. The descriptions are
+// those with which the world was loaded, or the fitted ones. Throws as above.
 mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,
-                                 const std::filesystem::path& scene_file, double timestep);
+                                 const std::filesystem::path& scene_file, double timestep,
+                                 const std::vector<std::string>& looks = {});
+
+// Makes sure that LoadSightModel can draw the robot by that look, and returns what it is drawn by,
+// for the user. Throws ModelError where it cannot.
+std::string CheckLook(const PlacedRobot& robot, const std::string& look);
 
 struct FittedModel {
   robot::RobotSpec spec;  // with the names of the model

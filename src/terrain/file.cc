@@ -20,21 +20,25 @@ namespace {
 
 constexpr double kHeightsBase = 0.5;  // m of solid ground below the lowest point; assumed
 
-// Sky and floor as in models/scene/flat.xml. The sun stands lower, and height fields have one
+// Sky, floor and light as in models/scene/flat.xml. The sun stands lower, and height fields have one
 // colour, so that slopes of a few degrees differ visibly.
 constexpr char kHead[] = R"(  <visual>
-    <headlight ambient="0.35 0.35 0.35" diffuse="0.2 0.2 0.2" specular="0.1 0.1 0.1"/>
-    <rgba haze="0.82 0.86 0.9 1"/>
+    <headlight ambient="0.3 0.31 0.33" diffuse="0.14 0.14 0.14" specular="0.05 0.05 0.05"/>
+    <rgba haze="0.86 0.88 0.9 1"/>
   </visual>
   <asset>
-    <texture name="sky" type="skybox" builtin="gradient" rgb1="0.62 0.74 0.86" rgb2="0.95 0.96 0.98"
+    <texture name="sky" type="skybox" builtin="gradient" rgb1="0.66 0.75 0.85" rgb2="0.95 0.96 0.97"
       width="256" height="1536"/>
-    <texture name="checker" type="2d" builtin="checker" rgb1="0.55 0.58 0.6" rgb2="0.63 0.66 0.68"
-      width="256" height="256"/>
-    <material name="floor" texture="checker" texuniform="true" texrepeat="2 2" reflectance="0.05"/>
+    <texture name="ground" type="2d" builtin="checker" rgb1="0.65 0.66 0.66" rgb2="0.7 0.71 0.71"
+      mark="random" markrgb="0.6 0.61 0.61" random="0.12" width="512" height="512"/>
+    <material name="floor" texture="ground" texuniform="true" texrepeat="1 1" specular="0.1"
+      shininess="0.1"/>
 )";
 constexpr char kSun[] =
-    R"(    <light name="sun" directional="true" pos="2 -1 4" dir="-0.8 0.4 -0.42" diffuse="1 1 0.96"/>
+    R"(    <light name="sun" directional="true" pos="2 -1 4" dir="-0.75 0.38 -0.55" diffuse="0.72 0.71 0.69"
+      specular="0.2 0.2 0.2"/>
+    <light name="fill" directional="true" castshadow="false" pos="-2 2 3" dir="0.6 -0.5 -0.4"
+      diffuse="0.12 0.13 0.15" specular="0 0 0"/>
 )";
 // Neighbouring pieces differ in colour, so that edges are visible.
 constexpr std::array<const char*, 3> kColours = {"0.66 0.62 0.55 1", "0.6 0.57 0.52 1",

@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "base/nearest_word.h"
 #include "physics/geom_extent.h"
+#include "viewer/contact_shadows.h"
 
 namespace understudy::viewer {
 namespace {
@@ -275,6 +276,8 @@ void Stage::Compose(mjvCamera* camera, const ShowChoice& show, const mjvPerturb*
   mjv_updateScene(model_.get(), data_.get(), &option_, perturb, camera, mjCAT_ALL, &scene_);
   HideFreeJoints();
   AddDecor(show);
+  AddContactShadows(
+      *model_, *data_, [this](int geom) { return OfRobots(geom); }, &scene_);
   MoveSun(*camera);
 }
 

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mjcf/mujoco_hooks.h"
+#include "physics/geom_extent.h"
 #include "physics/world_model.h"
 #include "tests/models/model_fixture.h"
 #include "tests/support/robots.h"
@@ -278,7 +279,26 @@ TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
   for (int i = 0; i < model_->ngeom; ++i) {
     const bool collides = model_->geom_contype[i] != 0 || model_->geom_conaffinity[i] != 0;
     EXPECT_EQ(model_->geom_group[i], collides ? 3 : 2) << "geom " << i;
-    EXPECT_NE(model_->geom_type[i], mjGEOM_MESH) << "geom " << i;
+    if (collides) EXPECT_NE(model_->geom_type[i], mjGEOM_MESH) << "geom " << i;
+  }
+}
+
+// Else it would float or sink. A sole may be rubber that gives.
+TEST_P(ModelFiguresTest, FeetAreDrawnDownToWhereTheyTread) {
+  constexpr double kRubber = 0.006;  // m
+  const DataPtr data(mj_makeData(model_.get()));
+  mj_kinematics(model_.get(), data.get());
+  for (const json& foot : figures_["feet"]) {
+    const int body = Id(*model_, mjOBJ_BODY, foot["body"]);
+    double seen = 1e9;
+    double touching = 1e9;
+    for (int i = 0; i < model_->ngeom; ++i) {
+      if (model_->geom_bodyid[i] != body) continue;
+      const double low = physics::LowestPoint(*model_, *data, i);
+      double& lowest = physics::Collides(*model_, i) ? touching : seen;
+      lowest = std::min(lowest, low);
+    }
+    EXPECT_NEAR(seen, touching, kRubber) << foot["name"];
   }
 }
 

@@ -83,6 +83,36 @@ TEST_F(WorldModelTest, KeepsForTheEyeWhatIsOnlyLookedAt) {
   EXPECT_EQ(sight->nbody, world->nbody);
 }
 
+// A look for the shin.
+std::filesystem::path WriteLook(const test::TemporaryFolder& folder, const std::string& mesh,
+                                const std::string& name = "shin.obj") {
+  folder.Write(name, mesh);
+  return folder.Write(
+      "look.xml", R"(<mujoco><asset><mesh name="shin" file=")" + name + R"("/></asset><worldbody>
+                         <body name="shin"><geom type="mesh" mesh="shin"/></body></worldbody></mujoco>)");
+}
+constexpr char kTetrahedron[] =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST_F(WorldModelTest, DrawsARobotByAnotherLookAndMovesItAsBefore) {
+  UseRobot(Robot(kDecal));
+  const std::string look = WriteLook(folder_, kTetrahedron);
+  EXPECT_THAT(CheckLook({spec_, robot_}, look), HasSubstr("look.xml, 1 bodies"));
+  const mjcf::ModelHandle plain = LoadSightModel({{spec_, robot_}}, scene_, 0.002);
+  const mjcf::ModelHandle drawn = LoadSightModel({{spec_, robot_}}, scene_, 0.002, {look});
+  EXPECT_EQ(drawn->nmesh, 1);
+  ASSERT_EQ(drawn->nbody, plain->nbody);
+  for (int i = 0; i < plain->nbody; ++i) EXPECT_EQ(drawn->body_mass[i], plain->body_mass[i]);
+}
+
+TEST_F(WorldModelTest, RefusesAtTheStartALookThatMujocoCannotReadAndThenShowsTheRobotsOwn) {
+  UseRobot(Robot(kDecal));
+  const std::string look = WriteLook(folder_, "solid", "shin.stl");
+  EXPECT_THROW(CheckLook({spec_, robot_}, look), ModelError);
+  EXPECT_EQ(LoadSightModel({{spec_, robot_}}, scene_, 0.002, {look})->ngeom, 4);
+  mjcf::TakeMujocoWarning();
+}
+
 TEST_F(WorldModelTest, ShowsAWorldWhoseLooksAreMissingWithoutThem) {
   UseRobot(Robot(R"(<joint name="knee_joint"/>
                     <geom type="mesh" mesh="shell" mass="0" contype="0" conaffinity="0"/>)",

@@ -42,6 +42,7 @@ def refused(done, code, *words):
     (["go2", "--profile=wron"], CONFIG, ["no profile 'wron'", "did you mean 'worn'?"]),
     (["h1", "--dynamics=fitted"], CONFIG, ["robot 'h1' has no fitted figures; choose catalogue"]),
     (["go2", "--set", "robot.model=/none/no.xml"], MODEL, ["no.xml"]),
+    (["go2", "--look", "/none/looks"], MODEL, ["/none/looks", "no such file or folder", "unitree_mujoco"]),
     (["go2", "--scene", "flt"], MODEL, ["flt", "flat"]),
     (["go2", "--scene", "ruff"], MODEL, ["did you mean 'rough'?"]),
     (["go2", "--scene", "ground.xml"], MODEL, ["ground.xml: no such file"]),

@@ -77,6 +77,24 @@ def test_a_picture_shows_what_is_asked_for(play, understudy, tmp_path):
     assert plain.read_bytes() != collision.read_bytes()
 
 
+def test_a_robot_is_drawn_by_another_copy_of_its_meshes(play, understudy, tmp_path):
+    (tmp_path / "copy").mkdir()
+    (tmp_path / "copy/block.obj").write_text(
+        "v 0 0 0\nv .3 0 0\nv 0 .3 0\nv 0 0 .3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+    (tmp_path / "copy/dog.xml").write_text(
+        '<mujoco><asset><mesh name="block" file="block.obj"/></asset><worldbody><body name="base_link">'
+        '<geom type="mesh" mesh="block" rgba="1 0 1 1"/></body></worldbody></mujoco>')
+    robot = play("go2", "--start", "hanging", "--look", tmp_path / "copy")
+    picture = tmp_path / "look.png"
+    done = understudy("picture", picture, "--name", robot.name, "--size", "160x120")
+
+    assert done.returncode == 0, done.stderr
+    said = f"drawn by the meshes of {tmp_path}/copy/dog.xml, 1 bodies"
+    assert any(said in line["message"] for line in robot.log())
+    magenta = [p for p in pixels_of(picture) if p[0] > 2 * p[1] and p[2] > 2 * p[1]]
+    assert len(magenta) > 50
+
+
 def test_a_picture_is_taken_from_where_the_robots_camera_is(play, understudy, tmp_path):
     scene = tmp_path / "wall.xml"
     scene.write_text('<mujoco><worldbody><geom type="plane" size="0 0 1"/>'

@@ -4,6 +4,7 @@ import os
 import re
 import shutil
 import subprocess
+from xml.etree import ElementTree
 
 import pytest
 
@@ -85,7 +86,7 @@ PAGE = "docs/page" + ".md"  # of the house
 @pytest.fixture(name="house")
 def house_fixture(tmp_path):
     """A repository of its own with the tools of pages, and one page."""
-    for name in ("rooms", "add", "words"):
+    for name in ("rooms", "shells", "add", "words"):
         (tmp_path / "tools").mkdir(exist_ok=True)
         shutil.copy(ROOT / "tools" / name, tmp_path / "tools" / name)
     (tmp_path / "tools/words.txt").write_text(f"frobs -> it again\n{PAGE} 1\n")
@@ -158,6 +159,30 @@ def test_words_says_that_it_read_no_changes_where_there_is_no_history(house):
     done = run(house / "tools/words")
     assert done.returncode == 0
     assert "there is no history here" in done.stdout
+
+
+def test_shells_makes_closed_meshes_of_sections_and_paths(house):
+    (house / "models/bot").mkdir(parents=True)
+    (house / "models/bot/shells.toml").write_text(
+        '[hull]\naxis = "z"\nsections = [[0, 0, 0.1, 0.2, 0.3, 2], [0.5, 0, 0.1, 0.2, 0.3, 2]]\n'
+        "[ring]\nclosed = true\npath = [[0.1, 0, 0, 0.01, 0.01], [0, 0.1, 0, 0.01, 0.01], [-0.1, 0, 0, 0.01, 0.01], "
+        "[0, -0.1, 0, 0.01, 0.01]]\n")
+    assert run(house / "tools/shells", "--check").returncode == 1
+    assert run(house / "tools/shells").returncode == 0
+    assert run(house / "tools/shells", "--check").returncode == 0
+    hull, ring = ElementTree.parse(house / "models/bot/parts/shells.xml").iter("mesh")
+    for mesh in (hull, ring):
+        numbers = [int(n) for n in mesh.get("vertex").split()]
+        points = [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
+        faces = [int(n) for n in mesh.get("face").split()]
+        faces = [faces[i:i + 3] for i in range(0, len(faces), 3)]
+        edges = [(a, b) for f in faces for a, b in zip(f, f[1:] + f[:1])]
+        assert sorted(edges) == sorted((b, a) for a, b in edges), "each edge has a face on both sides"
+        volume = sum(sum(x * (b[(k + 1) % 3] * c[(k + 2) % 3] - b[(k + 2) % 3] * c[(k + 1) % 3])
+                         for k, x in enumerate(a)) for a, b, c in ([points[i] for i in f] for f in faces))
+        assert volume > 0, "faces look outwards"
+    x = [int(n) for n in hull.get("vertex").split()][::3]
+    assert (min(x), max(x)) == (-2000, 1000), "tenths of a millimetre: 0.2 m back, 0.1 m front"
 
 
 def test_rooms_draws_a_floor_for_each_room_above_what_it_includes(house):
