@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kHeightsBase = 0.5;  // m of solid ground below the lowest point; assumed
 
-// Sky, floor and light as in models/scene/flat.xml. The sun stands lower, and height fields have one
-// colour, so that slopes of a few degrees differ visibly.
+// Sky, floor and light as in models/scene/flat.xml. The sun stands lower, and height fields have
+// one colour, so that slopes of a few degrees differ visibly.
 constexpr char kHead[] = R"(  <visual>
     <headlight ambient="0.3 0.31 0.33" diffuse="0.14 0.14 0.14" specular="0.05 0.05 0.05"/>
     <rgba haze="0.86 0.88 0.9 1"/>
