@@ -279,7 +279,9 @@ TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
   for (int i = 0; i < model_->ngeom; ++i) {
     const bool collides = model_->geom_contype[i] != 0 || model_->geom_conaffinity[i] != 0;
     EXPECT_EQ(model_->geom_group[i], collides ? 3 : 2) << "geom " << i;
-    if (collides) EXPECT_NE(model_->geom_type[i], mjGEOM_MESH) << "geom " << i;
+    if (collides) {
+      EXPECT_NE(model_->geom_type[i], mjGEOM_MESH) << "geom " << i;
+    }
   }
 }
 
