@@ -25,7 +25,7 @@ struct MotorDamage {
 
 // Of a whole robot since its start. What belongs to motors is in motor order.
 struct DamageTotals {
-  std::vector<MotorDamage> motors;
+  std::vector<MotorDamage> motors{};
   double time = 0;          // s
   double energy = 0;        // J given by the pack
   double peak_current = 0;  // A given by the pack
