@@ -14,6 +14,8 @@ class TemporaryFolder {
   TemporaryFolder() {
     std::filesystem::create_directory(path_);
     std::filesystem::permissions(path_, std::filesystem::perms::owner_all);
+    // So that a test may let other users into the folder itself.
+    std::filesystem::permissions(held_.path(), std::filesystem::perms(0755));
   }
 
   const std::filesystem::path& path() const { return path_; }
