@@ -131,7 +131,7 @@ MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::Mo
     notes.push_back({kInfo, "drawn by the meshes of " + physics::CheckLook(placed[i], look)});
   }
   return {.world = {std::move(model), std::move(placed), std::move(nominal)},
-          .draws = std::move(draws),
+          .draws = draws,
           .notes = std::move(notes),
           .sight = std::make_shared<const SightModel>(config)};
 }

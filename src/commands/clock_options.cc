@@ -136,8 +136,9 @@ void SimulatedClock::TellComputed() const {
   const char* const file = std::getenv(kMeasureVariable);
   const auto time = computed();
   if (file == nullptr || !time) return;
+  const int pipe = static_cast<int>(std::strtol(file, nullptr, 10));
   const std::int64_t ns = time->count();
-  if (::write(std::atoi(file), &ns, sizeof(ns)) != sizeof(ns)) std::perror("think");
+  if (::write(pipe, &ns, sizeof(ns)) != sizeof(ns)) std::perror("think");
 }
 
 void SimulatedClock::AddTo(exec::ChildProcess::Environment* environment) const {

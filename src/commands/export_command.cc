@@ -61,14 +61,18 @@ int ExportUrdf(const ExportArguments& arguments) {
     limits[motor->joint] = {.effort = motor->torque_limit, .velocity = motor->no_load_speed};
   }
   const std::shared_ptr<const mjModel> model = made.sight->Get();
-  const mjcf::Urdf urdf =
-      mjcf::UrdfOf(*model, config.robots[0].spec.name,
-                   mjcf::TreeOf(*model, config.robots[0].spec.base_body), limits);
+  const auto urdf_with = [&](mjcf::MeshUse use) {
+    const std::string& base = config.robots[0].spec.base_body;
+    return mjcf::UrdfOf(*model, config.robots[0].spec.name, mjcf::TreeOf(*model, base), limits,
+                        use);
+  };
+  const mjcf::Urdf urdf = urdf_with(mjcf::MeshUse::kFiles);
   if (arguments.out.empty()) {
     if (!urdf.meshes.empty()) {
-      throw ModelError("the robot has meshes, which are separate files: use --out FILE");
+      std::fputs("meshes are cylinders and boxes here; --out FILE writes them beside FILE\n",
+                 stderr);
     }
-    std::fputs(urdf.text.c_str(), stdout);
+    std::fputs(urdf_with(mjcf::MeshUse::kPrimitives).text.c_str(), stdout);
     return 0;
   }
   const std::filesystem::path out = arguments.out;

@@ -24,6 +24,10 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using tinyxml2::XMLPrinter;
 
+// A mesh is shown as a cylinder if it is so many times as long as thick, and no flatter than that.
+// *Assumed*: limbs are, trunks are not.
+constexpr double kLong = 1.3, kRound = 0.7;
+
 std::string Numbers(std::span<const double> numbers) {
   std::string text;
   for (const double number : numbers) {
@@ -181,11 +185,8 @@ class Writer {
         return WriteShape(use, geom, pose, "box", {{"size", Numbers(whole)}});
       }
       case mjGEOM_MESH: {
-        if (meshes_ == MeshUse::kBoxes) {
-          const Eigen::AlignedBox3d box = ExtentOf(model_.geom_dataid[geom]);
-          const Vector3d whole = box.sizes();
-          return WriteShape(use, geom, pose * Eigen::Translation3d(box.center()), "box",
-                            {{"size", Numbers({whole.data(), 3})}});
+        if (meshes_ == MeshUse::kPrimitives) {
+          return WritePrimitive(use, geom, pose, ExtentOf(model_.geom_dataid[geom]));
         }
         const std::string name = RobotsName(model_, mjOBJ_MESH, model_.geom_dataid[geom]);
         if (std::ranges::find(urdf_.meshes, name, &UrdfMesh::name) == urdf_.meshes.end()) {
@@ -196,6 +197,22 @@ class Writer {
       default:
         throw ModelError("URDF has no equal of a plane or height field that is part of a robot");
     }
+  }
+
+  // In place of a mesh that reaches so far.
+  void WritePrimitive(const char* use, int geom, const Isometry3d& pose,
+                      const Eigen::AlignedBox3d& box) {
+    const Vector3d whole = box.sizes();
+    int axis = 0;
+    const double length = whole.maxCoeff(&axis);
+    const double a = whole[(axis + 1) % 3], b = whole[(axis + 2) % 3];
+    const Isometry3d middle = pose * Eigen::Translation3d(box.center());
+    if (length < kLong * std::max(a, b) || std::min(a, b) < kRound * std::max(a, b)) {
+      return WriteShape(use, geom, middle, "box", {{"size", Numbers({whole.data(), 3})}});
+    }
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d::Unit(axis));
+    WriteShape(use, geom, Isometry3d(middle * turn), "cylinder",
+               {{"radius", Number((a + b) / 4)}, {"length", Number(length)}});
   }
 
   Eigen::AlignedBox3d ExtentOf(int mesh) const {

@@ -27,8 +27,9 @@ struct Urdf {
   std::vector<UrdfMesh> meshes;
 };
 
-// A mesh as a file beside the URDF, or as the box around it where there can be no file.
-enum class MeshUse { kFiles, kBoxes };
+// A mesh as a file beside the URDF, or, where there can be no file, as a cylinder if it is long and
+// about round, else as the box around it.
+enum class MeshUse { kFiles, kPrimitives };
 
 // Describes a robot's `tree` of `model`, with range, damping and friction of the joints, and of
 // `limits` what is there, by joint. URDF has neither capsules nor ellipsoids: they become a

@@ -78,7 +78,15 @@ class Replacer {
   std::vector<std::string> unknown_;
 };
 
+// A key with a dot is one of a mapping below.
 void SetKey(const std::string& key, YamlValue value, YamlValue* map) {
+  if (const std::size_t dot = key.find('.'); dot != std::string::npos) {
+    const std::string head = key.substr(0, dot), rest = key.substr(dot + 1);
+    YamlValue* below = map->Find(head);
+    const bool there = below != nullptr && below->kind == YamlValue::Kind::kMap;
+    if (there) return SetKey(rest, std::move(value), below);
+    return SetKey(head, schema::MapOf(rest, std::move(value)), map);
+  }
   if (YamlValue* old = map->Find(key)) {
     *old = std::move(value);
     return;

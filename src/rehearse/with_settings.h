@@ -11,8 +11,9 @@
 namespace understudy::rehearse {
 
 // The keys of a scenario that may vary, beside those of its `settings`.
-inline constexpr std::string_view kVariedKeys[] = {"robot", "revision", "start", "profile",
-                                                   "seed",  "scene",    "speed", "duration"};
+inline constexpr std::string_view kVariedKeys[] = {"robot", "revision",     "start", "profile",
+                                                   "seed",  "scene",        "speed", "duration",
+                                                   "clock", "program.think"};
 
 // Returns the document with these settings in it: keys of the scenario are replaced, `$name` where
 // it stands. Those of the configuration are left to `sets`, to which they are added as KEY=VALUE.

@@ -121,7 +121,8 @@ std::optional<record::RosRobot> RosRobotOf(const config::Config& config, std::si
       const auto motor = motors.find(joint.name);
       ros.motors.push_back(motor == motors.end() ? -1 : motor->second);
     }
-    ros.urdf = mjcf::UrdfOf(model, own.spec.name, ros.tree, limits, mjcf::MeshUse::kBoxes).text;
+    ros.urdf =
+        mjcf::UrdfOf(model, own.spec.name, ros.tree, limits, mjcf::MeshUse::kPrimitives).text;
     ros.scene = mjcf::SceneShapesOf(model, spec.base_body);
     ros.every = RosEvery(config.recording.ros_hz, config.physics.timestep, every);
     return ros;

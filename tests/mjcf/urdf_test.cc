@@ -177,7 +177,7 @@ TEST_F(UrdfTest, WritesMeshesAsTheBoxesAroundThemWhereThereAreNoFiles) {
   const ModelHandle model =
       Compile(std::string(kMass) + "<geom type='mesh' mesh='wedge' pos='0 0 0.5'/>",
               "<asset><mesh name='wedge' vertex='0 0 0 1 0 0 0 2 0 0 0 3'/></asset>");
-  const Urdf urdf = UrdfOf(*model, "one", TreeOf(*model, "base"), {}, MeshUse::kBoxes);
+  const Urdf urdf = UrdfOf(*model, "one", TreeOf(*model, "base"), {}, MeshUse::kPrimitives);
   EXPECT_TRUE(urdf.meshes.empty());
   const ModelHandle read = Read(urdf);
   ASSERT_EQ(read->nmesh, 0);
@@ -192,6 +192,22 @@ TEST_F(UrdfTest, WritesMeshesAsTheBoxesAroundThemWhereThereAreNoFiles) {
         (turn.transpose() * (corner - middle)).cwiseAbs() - Vector(read->geom_size);
     EXPECT_LT(beyond.maxCoeff(), 1e-6) << corner.transpose();
   }
+}
+
+TEST_F(UrdfTest, WritesALongRoundMeshAsACylinderWhereThereAreNoFiles) {
+  const ModelHandle model = Compile(
+      std::string(kMass) + "<geom type='mesh' mesh='limb' pos='0 0 0.5'/>",
+      "<asset><mesh name='limb' vertex='-1 .2 0 -1 -.2 0 -1 0 .24 -1 0 -.24 1 .2 0 1 -.2 0 1 0 .24 "
+      "1 0 -.24'/></asset>");
+  const Urdf urdf = UrdfOf(*model, "one", TreeOf(*model, "base"), {}, MeshUse::kPrimitives);
+  const ModelHandle read = Read(urdf);
+  const DataHandle data = MakeDataWithoutContacts(*read);
+  mj_kinematics(read.get(), data.get());
+  ASSERT_EQ(read->geom_type[0], mjGEOM_CYLINDER);
+  EXPECT_NEAR(read->geom_size[0], 0.22, 1e-3);
+  EXPECT_NEAR(read->geom_size[1], 1, 1e-3);
+  EXPECT_NEAR(std::abs(data->geom_xmat[2]), 1, 1e-6);  // its axis is the mesh's long one, x
+  EXPECT_NEAR(data->geom_xpos[2], 0.5, 1e-6);
 }
 
 TEST_F(UrdfTest, RefusesWhatUrdfHasNot) {

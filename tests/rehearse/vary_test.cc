@@ -192,6 +192,20 @@ TEST_F(VariedScenarioTest, WordsOfTheProgramAndOfJsonVary) {
               ElementsAre("walk", "0.5", "fast walk"));
 }
 
+TEST_F(VariedScenarioTest, TheClockAndWhatAProgramThinksVary) {
+  const std::string vary =
+      "vary: {list: [{clock: simulated, program.think: 0.002, $least: 0.1},\n"
+      "              {clock: real, program.think: 0, $least: 0.1}]}\n";
+  const std::string program = "program: {command: [walk], limit: 3}\n";
+  const Scenario first = Load(program + vary, 1), second = Load(program + vary, 2);
+  EXPECT_TRUE(first.simulated_clock);
+  EXPECT_EQ(first.program->think, 0.002);
+  EXPECT_EQ(first.program->limit, 3);
+  EXPECT_FALSE(second.simulated_clock);
+  EXPECT_EQ(second.program->think, 0);
+  EXPECT_EQ(Load(vary, 1, {"walk"}).program->think, 0.002);
+}
+
 TEST_F(VariedScenarioTest, ARunHasItsNumberAsSeedUnlessThereIsOne) {
   const std::string random = "settings: {randomization: {mass: [0.9, 1.1]}}\n";
   const std::string vary = "vary: {grid: {$least: [0.1, 0.2, 0.3]}}\n";
