@@ -204,10 +204,10 @@ class LookReader {
 
   // MuJoCo takes the material's colour where the geom has the grey that it has without a word.
   std::string ColourOf(const MjcfElement& geom, const std::string& its_class) const {
-    if (const std::string own = Says(geom, its_class, kGeom, "rgba"); !own.empty()) return own;
+    if (std::string own = Says(geom, its_class, kGeom, "rgba"); !own.empty()) return own;
     const auto material = materials_.find(Says(geom, its_class, kGeom, "material"));
     if (material == materials_.end()) return kGrey;
-    const std::string colour = Says(*material->second, "", kMaterial, "rgba");
+    std::string colour = Says(*material->second, "", kMaterial, "rgba");
     return colour.empty() ? kGrey : colour;
   }
 

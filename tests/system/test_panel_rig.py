@@ -191,7 +191,7 @@ def test_the_crane_lowers_a_robot_until_it_stands_and_none_whose_legs_are_limp(p
     assert page.evaluate("document.getElementById('crane-lower-until').disabled")
     for keys, name in (("L2+B", "damping"), ("L2+UP", "ready")):
         robot.ctl("remote", "press", keys)
-        robot.becomes(lambda now, name=name: now["motion"]["name"] == name)
+        robot.becomes(lambda now, name=name: now["motion"]["name"] == name and now["remote"]["keys"] == "")
     page.becomes("!document.getElementById('crane-lower-until').disabled")
 
     page.evaluate("document.getElementById('crane-lower-until').click()")

@@ -96,6 +96,7 @@ export class Chords {
     this.rows = [];
     this.chords = [];
     this.damp = null;
+    this.upAt = 0; // ms, when the keys of the last press are up
     this.clicked = null; // {row, before: the status of the motion service, until: ms}
     byId("damp").addEventListener("click", () => this.damp && this.press(this.damp));
   }
@@ -118,9 +119,13 @@ export class Chords {
     byId("chords-none").hidden = this.rows.length > 0;
   }
 
+  // After those of the last press are up: keys that are down together would be another chord.
   async press({ keys, clicks }) {
+    const down = this.upAt - performance.now();
+    if (down > 0) await new Promise((done) => setTimeout(done, down));
     for (let click = 0; click < clicks; ++click) {
       if (click > 0) await new Promise((done) => setTimeout(done, BETWEEN));
+      this.upAt = performance.now() + BETWEEN;
       const answered = this.request("remote.press", { keys, for: pressed(this.speed()) });
       if (click + 1 === clicks) return await answered;
     }
