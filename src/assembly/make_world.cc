@@ -130,8 +130,8 @@ MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::Mo
     if (look.empty()) continue;
     notes.push_back({kInfo, "drawn by the meshes of " + physics::CheckLook(placed[i], look)});
   }
-  return {.world = {std::move(model), std::move(placed), std::move(nominal)},
-          .draws = draws,
+  return {.world = {std::move(model), placed, std::move(nominal)},
+          .draws = std::move(draws),
           .notes = std::move(notes),
           .sight = std::make_shared<const SightModel>(config)};
 }

@@ -61,6 +61,7 @@ constexpr LiveSetting kLive[] = {
 constexpr FixedSetting kFixed[] = {
     {"profile", "it stands for the keys of sensors, which can"},
     {"scene", "it is part of the compiled model"},
+    {"look", "the robot is drawn by it from the start"},
     {"terrain.", "it is part of the compiled model"},
     {"network.", "its sockets are open"},
     {"guard.", "it is for the start and for a thread that watches the network"},
