@@ -219,6 +219,7 @@ TEST(ChildProcessTest, IgnoresASecondRelease) {
 TEST(ChildProcessTest, SurvivesReleaseOfAChildKilledAtTheGate) {
   ChildProcess child(Shell("exit 0"));
   child.Forward(SIGKILL);
+  EXPECT_EQ(child.Wait(), 128 + SIGKILL);  // the signal goes by way of the keeper
   child.Release();
   EXPECT_EQ(child.Wait(), 128 + SIGKILL);
 }
