@@ -45,7 +45,10 @@ void DecodeByte(char byte, Keys* keys) {
   }
 }
 
-// How many bytes of `text` the sequence at its front has; 0: not all of it is there yet.
+bool IsFinal(char byte) { return byte >= '@' && byte <= '~'; }
+
+// How many bytes of `text` the sequence at its front has; 0: not all of it is there yet. kLongest
+// bytes may be the beginning of one that is longer than all that is known.
 std::size_t DecodeFront(std::string_view text, Keys* keys) {
   if (text[0] != kEscape) {
     DecodeByte(text[0], keys);
@@ -61,10 +64,10 @@ std::size_t DecodeFront(std::string_view text, Keys* keys) {
     keys->push_back({.key = kEscapeKey});
     return 1;
   }
-  const auto* const final = std::find_if(text.begin() + 2, text.end(),
-                                         [](char byte) { return byte >= '@' && byte <= '~'; });
-  if (final == text.end()) return text.size() < kLongest ? 0 : text.size();
-  const auto size = static_cast<std::size_t>(final - text.begin()) + 1;
+  const std::string_view front = text.substr(0, kLongest);
+  const auto* const final = std::find_if(front.begin() + 2, front.end(), IsFinal);
+  if (final == front.end()) return text.size() < kLongest ? 0 : kLongest;
+  const auto size = static_cast<std::size_t>(final - front.begin()) + 1;
   if (*final == '[') return text.size() > size ? size + 1 : 0;  // F1 to F5 of the Linux console
   Decode(text.substr(2, size - 3), *final, keys);
   return size;
@@ -76,8 +79,14 @@ Keys TerminalDecoder::Feed(std::string_view bytes) {
   Keys keys;
   pending_ += bytes;
   while (!pending_.empty()) {
+    if (skips_) {
+      skips_ = !IsFinal(pending_.front());
+      pending_.erase(0, 1);
+      continue;
+    }
     const std::size_t size = DecodeFront(pending_, &keys);
     if (size == 0) break;
+    skips_ = size == kLongest && !IsFinal(pending_[size - 1]);
     pending_.erase(0, size);
   }
   return keys;
@@ -87,6 +96,7 @@ Keys TerminalDecoder::Pause() {
   Keys keys;
   if (pending_ == std::string_view(&kEscape, 1)) keys.push_back({.key = kEscapeKey});
   pending_.clear();
+  skips_ = false;
   return keys;
 }
 

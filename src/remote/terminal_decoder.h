@@ -34,10 +34,11 @@ class TerminalDecoder {
   std::vector<TerminalKey> Pause();
 
   // Returns whether the bytes so far end within a sequence.
-  bool waits() const { return !pending_.empty(); }
+  bool waits() const { return !pending_.empty() || skips_; }
 
  private:
   std::string pending_;
+  bool skips_ = false;  // the rest of a sequence that is longer than all that are known
 };
 
 }  // namespace understudy::remote

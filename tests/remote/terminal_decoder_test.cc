@@ -50,7 +50,20 @@ TEST(TerminalDecoderTest, ForgetsASequenceThatDoesNotEnd) {
   EXPECT_TRUE(decoder.Pause().empty());
   EXPECT_EQ(decoder.Feed("a"), (Keys{{.key = U'a'}}));
   EXPECT_TRUE(decoder.Feed("\033[" + std::string(1000, '1')).empty());
+  EXPECT_TRUE(decoder.Pause().empty());
   EXPECT_FALSE(decoder.waits());
+  EXPECT_EQ(decoder.Feed("a"), (Keys{{.key = U'a'}}));
+}
+
+TEST(TerminalDecoderTest, ASequenceThatIsTooLongIsForgottenAtOnceAsInParts) {
+  const std::string bytes = "\033[" + std::string(65, '1') + "Aa";
+  TerminalDecoder parts;
+  Keys keys;
+  for (const char& byte : bytes) {
+    const Keys more = parts.Feed({&byte, 1});
+    keys.insert(keys.end(), more.begin(), more.end());
+  }
+  EXPECT_EQ(Decoded(bytes), keys);
 }
 
 TEST(TerminalDecoderTest, PassesOverWhatItDoesNotKnow) {
