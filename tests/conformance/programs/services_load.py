@@ -60,11 +60,11 @@ client = VuiClient()
 client.SetTimeout(3.0)
 client.Init()
 print("calling", flush=True)
-calls, codes = 0, set()
+calls = dict()
 while not select.select([sys.stdin], [], [], 0.005)[0]:
-    codes.add(client._Call({GET_VOLUME}, "{{}}")[0])
-    calls += 1
-print(json.dumps(dict(calls=calls, codes=sorted(codes))))
+    code = client._Call({GET_VOLUME}, "{{}}")[0]
+    calls[code] = calls.get(code, 0) + 1
+print(json.dumps(calls))
 """
 
 
