@@ -87,21 +87,18 @@ mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
 }
 
 // Returns LoadModel's result, or a copy of what `compiled` has for this time step.
-mjcf::ModelHandle LoadOrCopyModel(config::Config* config, CompiledModel* compiled, Notes* notes) {
+mjcf::ModelHandle LoadOrCopyModel(config::Config* config, CompiledModels* compiled, Notes* notes) {
   if (compiled == nullptr) return LoadModel(config, notes);
-  if (compiled->model == nullptr || compiled->timestep != config->physics.timestep) {
-    Notes own;
-    compiled->model = LoadModel(config, &own);
-    compiled->timestep = config->physics.timestep;
-    compiled->specs.clear();
-    for (const config::RobotConfig& robot : config->robots) compiled->specs.push_back(robot.spec);
-    compiled->notes = std::move(own);
+  std::shared_ptr<const CompiledModel>& kept = (*compiled)[config->physics.timestep];
+  if (kept == nullptr) {
+    auto made = std::make_shared<CompiledModel>();
+    made->model = LoadModel(config, &made->notes);
+    for (const config::RobotConfig& robot : config->robots) made->specs.push_back(robot.spec);
+    kept = std::move(made);
   }
-  for (std::size_t i = 0; i < config->robots.size(); ++i) {
-    config->robots[i].spec = compiled->specs[i];
-  }
-  notes->insert(notes->end(), compiled->notes.begin(), compiled->notes.end());
-  return mjcf::CopyOf(*compiled->model);
+  for (std::size_t i = 0; i < config->robots.size(); ++i) config->robots[i].spec = kept->specs[i];
+  notes->insert(notes->end(), kept->notes.begin(), kept->notes.end());
+  return mjcf::CopyOf(*kept->model);
 }
 
 // Those at which every robot can send.
@@ -138,7 +135,7 @@ MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::Mo
 
 }  // namespace
 
-MadePhysics MakePhysics(config::Config* config, CompiledModel* compiled) {
+MadePhysics MakePhysics(config::Config* config, CompiledModels* compiled) {
   Notes notes;
   robot::RandomizationSpec& ranges = config->randomization;
   if (!config::IsRandom(ranges)) {
