@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -111,9 +112,11 @@ int NewCommand(const NewArguments& arguments) {
                          .like = like_name,
                          .urdf = arguments.urdf,
                          .robot = mjcf::ReadUrdf(arguments.urdf),
-                         .motors = {}};
+                         .motors = {},
+                         .two_units = false};
   robot.motors = config::MatchMotors(like.robots[0].spec, robot.robot.joints);
-  const std::string unit = config::AddImuSite(like.robots[0].spec, &robot.robot);
+  const std::array<std::string, 2> units = config::AddImuSites(like.robots[0].spec, &robot.robot);
+  robot.two_units = !units[1].empty();
   robot.robot.model.Set("model", robot.name);
 
   MakeRobotFolder(folder);
@@ -132,9 +135,10 @@ int NewCommand(const NewArguments& arguments) {
     throw;
   }
 
-  std::printf("%s: %zu links, %zu joints; base %s; inertial unit at the origin of %s\n",
+  std::printf("%s: %zu links, %zu joints; base %s; inertial unit at the origin of %s%s\n",
               model.c_str(), robot.robot.bodies.size(), robot.robot.joints.size(),
-              robot.robot.base.c_str(), unit.c_str());
+              robot.robot.base.c_str(), units[0].c_str(),
+              robot.two_units ? (", a second one of " + units[1]).c_str() : "");
   std::printf("%s: a robot like %s\n%s: a first scenario\n\n", yaml.c_str(), robot.like.c_str(),
               scenario.c_str());
   const int missing = PrintMotors(robot);

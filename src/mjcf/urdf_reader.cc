@@ -13,16 +13,14 @@
 #include "base/nearest_word.h"
 #include "mjcf/joints.h"
 #include "mjcf/urdf_elements.h"
+#include "mjcf/urdf_inertial.h"
 
 namespace understudy::mjcf {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using std::filesystem::path;
 
-constexpr double kLeastMass = 0.001;          // kg, of what moves and has none
-constexpr double kLeastInertia = 1e-6;        // kg·m²
 constexpr double kRotorInertia = 0.01;        // kg·m² at the joint, assumed
 constexpr std::size_t kMostLinksInARow = 90;  // of the levels that MuJoCo reads
 constexpr char kPackage[] = "package://";
@@ -134,63 +132,54 @@ class UrdfTree {
     body.Set("name", name);
     if (joint != nullptr) SetPlace(OriginOf(*joint), &body);
     const bool moves = joint == nullptr || joint->Get("type") != "fixed";
-    AddInertia(link, moves, &body);
+    if (auto inertial = InertialOf(link, moves, &robot_.notes)) {
+      body.children.push_back(*std::move(inertial));
+    }
     if (joint == nullptr) {
       body.children.push_back(Made("freejoint"));
     } else if (moves) {
       body.children.push_back(Joint(*joint));
     }
-    int collisions = 0;
-    for (const MjcfElement& child : link.children) {
-      const bool looks = child.name == "visual";
-      if (!looks && child.name != "collision") continue;
-      MjcfElement geom = Made("geom");
-      geom.Set("class", looks ? "visual" : "collision");
-      if (!looks) {
-        ++collisions;
-        geom.Set("name",
-                 name + "_collision" + (collisions == 1 ? "" : "_" + std::to_string(collisions)));
-      }
-      SetPlace(OriginOf(child), &geom);
-      if (!Shape(child, looks, &geom)) continue;
-      if (looks) Paint(child, &geom);
-      body.children.push_back(std::move(geom));
-    }
+    AddGeoms(link, &body);
     for (const MjcfElement* next : children_[name]) {
       body.children.push_back(Body(*links_.at(LinkOf(*next, "child")), next, level + 1));
     }
     return body;
   }
 
-  void AddInertia(const MjcfElement& link, bool moves, MjcfElement* body) {
-    const MjcfElement* inertial = ChildOf(link, "inertial");
-    const double mass = inertial == nullptr ? 0 : NumberIn(ChildOf(*inertial, "mass"), "value", 0);
-    if (mass < 0) FailAt(*inertial, "a mass below 0");
-    MjcfElement made = Made("inertial");
-    if (mass > 0) {
-      const UrdfOrigin origin = OriginOf(*inertial);
-      const MjcfElement* given = ChildOf(*inertial, "inertia");
-      const auto n = [&](const char* name) { return NumberIn(given, name, 0); };
-      const double xx = n("ixx"), xy = n("ixy"), xz = n("ixz"), yy = n("iyy"), yz = n("iyz"),
-                   zz = n("izz");
-      Matrix3d about_own;
-      about_own << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-      const Matrix3d r = origin.r.toRotationMatrix();
-      const Matrix3d i = r * about_own * r.transpose();
-      const std::array<double, 6> full{i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)};
-      made.Set("pos", TextOf(origin.p));
-      made.Set("mass", TextOf(mass));
-      made.Set("fullinertia", NumbersText(full));
-    } else if (moves) {
-      robot_.notes.push_back("link '" + link.Get("name") + "' moves and has no mass: it gets " +
-                             TextOf(kLeastMass) + " kg");
-      made.Set("pos", "0 0 0");
-      made.Set("mass", TextOf(kLeastMass));
-      made.Set("diaginertia", TextOf(Vector3d::Constant(kLeastInertia)));
-    } else {
-      return;
+  // A link whose looks are all left out looks as it collides.
+  void AddGeoms(const MjcfElement& link, MjcfElement* body) {
+    std::vector<MjcfElement> colliding;
+    int looks = 0, left_out = 0;
+    for (const MjcfElement& child : link.children) {
+      const bool visual = child.name == "visual";
+      if (!visual && child.name != "collision") continue;
+      MjcfElement geom = Made("geom");
+      geom.Set("class", child.name);
+      if (!visual) {
+        const std::size_t number = colliding.size() + 1;
+        geom.Set("name", link.Get("name") + "_collision" +
+                             (number == 1 ? "" : "_" + std::to_string(number)));
+      }
+      SetPlace(OriginOf(child), &geom);
+      if (!Shape(child, visual, &geom)) {
+        ++left_out;
+        continue;
+      }
+      if (visual) {
+        ++looks;
+        Paint(child, &geom);
+      } else {
+        colliding.push_back(geom);
+      }
+      body->children.push_back(std::move(geom));
     }
-    body->children.push_back(std::move(made));
+    if (looks > 0 || left_out == 0) return;
+    for (MjcfElement& geom : colliding) {
+      geom.Set("class", "visual");
+      geom.Drop("name");
+      body->children.push_back(std::move(geom));
+    }
   }
 
   MjcfElement Joint(const MjcfElement& joint) {

@@ -40,9 +40,10 @@ struct UrdfRobot {
 // Reads a URDF file. Bodies have the names and frames of links, joints those of joints, with axis,
 // range, damping and friction; links that are fixed to others stay bodies of their own. Geoms of
 // <collision> are named "<link>_collision", "_collision_2" ...; they meet the ground and not each
-// other. <visual> has looks alone. A mesh is looked for beside the file and, by the name of its
-// package, in the folders above; MuJoCo reads STL, OBJ and MSH. What moves and has no mass gets a
-// gram. The rotor's inertia, of which URDF says nothing, is 0.01 kg·m² (*assumed*).
+// other. <visual> has looks alone; a link whose looks are all left out looks as it collides. A mesh
+// is looked for beside the file and, by the name of its package, in the folders above; MuJoCo reads
+// STL, OBJ and MSH. What moves and has no mass gets a gram, an inertia that no body has is repaired
+// (urdf_inertial.h). The rotor's inertia, of which URDF says nothing, is 0.01 kg·m² (*assumed*).
 //
 // Throws ModelError with file and line for a file that is not URDF (also xacro, which its own
 // program expands), links that form no tree, joints of other kinds, numbers that are none, and
