@@ -56,6 +56,10 @@ void CopyMeshes(const std::vector<mjcf::UrdfReadMesh>& meshes, const fs::path& f
   for (const mjcf::UrdfReadMesh& mesh : meshes) {
     const fs::path to = folder / mesh.to;
     fs::create_directories(to.parent_path(), error);
+    if (!mesh.stl.empty()) {
+      WriteFile(to, mesh.stl);
+      continue;
+    }
     if (fs::copy_file(mesh.from, to, error); error) {
       throw ConfigError(to.string() + ": cannot be written: " + error.message());
     }

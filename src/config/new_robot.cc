@@ -20,7 +20,7 @@ using schema::OneLine;
 constexpr std::size_t kNear = 3;  // names that are offered for a motor without a joint
 
 // Words of URDF files for what the vendor calls otherwise, longer ones first.
-constexpr std::array<std::pair<const char*, const char*>, 17> kWords = {{
+constexpr std::array<std::pair<const char*, const char*>, 18> kWords = {{
     {"frontright", "fr"},
     {"rightfront", "fr"},
     {"frontleft", "fl"},
@@ -37,6 +37,7 @@ constexpr std::array<std::pair<const char*, const char*>, 17> kWords = {{
     {"haa", "hip"},
     {"hfe", "thigh"},
     {"kfe", "calf"},
+    {"wheel", "foot"},  // the vendor's URDFs of Go2-W and B2-W call their wheels feet
     {"joint", ""},
 }};
 

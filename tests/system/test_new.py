@@ -101,6 +101,13 @@ def test_joints_by_other_usual_names_are_found(understudy):
     assert understudy("rehearse", "mydog/starts.yaml", "--out", "starts").returncode == 0
 
 
+def test_wheels_that_are_called_feet_are_found(understudy):
+    with_joints_renamed(export(understudy, "go2w"), {"wheel": "foot"})
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2w")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert re.search(r"FR_wheel_joint +12 +FR_foot_joint\n", made.stdout)
+
+
 def test_a_motor_without_a_joint_is_told_with_the_nearest_names_and_the_line_to_change(understudy):
     with_joints_renamed(export(understudy, "go2"), {"FR_calf_joint": "FR_shin_joint"})
     made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
