@@ -72,7 +72,7 @@ class UrdfInertialTest : public test::MujocoTest {
   test::TemporaryFolder folder_;
 };
 
-// Whatever the file says of the inertia, MuJoCo takes what is made of it.
+// MuJoCo takes what is made of any inertia.
 TEST_F(UrdfInertialTest, NamesTheLinkOfARepairedInertiaOnceAndMujocoTakesIt) {
   for (const char* ixx : {"0", "-1", "1e-30", "0.5", "1e200"}) {
     for (const char* kind : {"fixed", "continuous"}) {
