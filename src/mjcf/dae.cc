@@ -31,6 +31,7 @@ using Rgba = std::array<double, 4>;
 constexpr std::uintmax_t kMostDaeBytes = 64U << 20U;
 constexpr std::size_t kMostCorners = 9 * 4'000'000;  // numbers, of all parts
 constexpr int kMostNodeLevels = 50;                  // of nodes
+constexpr double kFarthest = 1e6;                    // m
 constexpr std::size_t kMostNodes = 100'000;          // as often as they are named
 constexpr std::size_t kMostNumbers = 100'000'000;    // likewise
 constexpr std::size_t kMostParts = 32;               // further colours count as the last
@@ -72,6 +73,7 @@ class DaeFile {
       throw ModelError(file_ + ":" + std::to_string(document_.ErrorLineNum()) + ": not XML");
     }
     root_ = document_.RootElement();
+    if (root_ == nullptr) throw ModelError(file_ + ": expected COLLADA, found no element");
     if (std::strcmp(root_->Name(), "COLLADA") != 0) {
       Fail(*root_, "expected COLLADA, not <" + Printable(root_->Name()) + ">");
     }
@@ -277,8 +279,9 @@ class DaeFile {
           Fail(p, "vertex " + std::to_string(at) + ": there are " +
                       std::to_string(points.numbers.size() / points.stride));
         }
-        corners.push_back(place *
-                          Eigen::Map<const Vector3d>(points.numbers.data() + at * points.stride));
+        const Vector3d& corner = corners.emplace_back(
+            place * Eigen::Map<const Vector3d>(points.numbers.data() + at * points.stride));
+        if (!corner.allFinite() || corner.norm() > kFarthest) Fail(p, "a vertex beyond 1000 km");
       }
       for (std::size_t first = 0; const std::size_t count : SizesOf(faces, corners.size())) {
         if (count > corners.size() - first) Fail(p, "fewer corners than its faces need");

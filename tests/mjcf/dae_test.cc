@@ -93,6 +93,8 @@ TEST_F(DaeTest, ReadsMatricesByRows) {
 TEST_F(DaeTest, SaysWhereAFileIsWrong) {
   const std::pair<std::string, std::string> wrong[] = {
       {"<COLLADA", "not XML"},
+      {"<!-- nothing -->", "expected COLLADA, found no element"},
+      {With("0 0 0 100", "1e300 0 0 100"), "a vertex beyond 1000 km"},
       {"<mujoco/>", "a.dae:1: expected COLLADA, not <mujoco>"},
       {"<COLLADA/>", "expected a <visual_scene>"},
       {With("url=\"#g\"", "url=\"#h\""), "nothing has the id '#h'"},
