@@ -33,7 +33,7 @@ constexpr std::size_t kMostCorners = 9 * 4'000'000;  // numbers, of all parts
 constexpr int kMostNodeLevels = 50;                  // of nodes
 constexpr double kFarthest = 1e6;                    // m
 constexpr std::size_t kMostNodes = 100'000;          // as often as they are named
-constexpr std::size_t kMostNumbers = 100'000'000;    // likewise
+constexpr std::size_t kMostNumbers = 100'000'000;    // as often as they are read
 constexpr std::size_t kMostParts = 32;               // further colours count as the last
 std::string_view Attribute(const XMLElement& element, const char* name) {
   const char* const value = element.Attribute(name);

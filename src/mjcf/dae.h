@@ -16,7 +16,7 @@ struct DaePart {
 
 // Reads the visual scene of a file: triangles, polylists and polygons of its geometries where its
 // nodes put them, in the unit of length that it names. What it says of the axis that is up is not
-// heeded, as ROS does not: many exporters name y whatever it is.
+// heeded, as ROS does not: many exporters always name y.
 // Colours are the diffuse ones of its materials; textures are not read. Lines, cameras and lights
 // are passed over.
 //

@@ -88,7 +88,7 @@ std::string UrdfMeshes::FreeName(const std::string& stem, const std::string& end
   return to;
 }
 
-// Returns what there is of a file, read at the first call for it.
+// Returns the files made of a file, which is read at the first call for it.
 const std::vector<UrdfMeshes::Made>& UrdfMeshes::FilesOf(const path& file, bool convert) {
   const auto found = made_.find(file);
   if (found != made_.end()) return found->second;
