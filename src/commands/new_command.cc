@@ -147,8 +147,10 @@ int NewCommand(const NewArguments& arguments) {
               scenario.c_str());
   const int missing = PrintMotors(robot);
   if (missing > 0) {
-    std::printf("\n%d of %zu motors have no joint: name them in %s, then: understudy check %s\n",
-                missing, robot.motors.size(), yaml.c_str(), yaml.c_str());
+    const bool few = 2 * static_cast<std::size_t>(missing) < robot.motors.size();
+    std::printf("\n%d of %zu motors have no joint: name them in %s, then: understudy check %s%s\n",
+                missing, robot.motors.size(), yaml.c_str(), yaml.c_str(),
+                few ? "; a run leaves out those that the robot does not have" : "");
     return static_cast<int>(ExitCode::kConfig);
   }
   CheckThatItFits(yaml);

@@ -114,6 +114,9 @@ def test_a_motor_without_a_joint_is_told_with_the_nearest_names_and_the_line_to_
     assert made.returncode == 3
     assert re.search(r"FR_calf_joint +2 +MISSING; perhaps FR_shin_joint\n", made.stdout)
     assert "no motor drives joint 'FR_shin_joint'" in made.stdout
+    assert "a run leaves out those that the robot does not have" in made.stdout
+    ran = understudy("run", "mydog/mydog.yaml", "--start", "clamped", "--speed", "max", "--duration", "0.5")
+    assert ran.returncode == 0 and "slot 2 has no motor" in ran.stderr, ran.stderr
 
     yaml = pathlib.Path("mydog/mydog.yaml")
     line = next(line for line in yaml.read_text().splitlines() if "MISSING" in line)
