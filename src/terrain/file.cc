@@ -41,6 +41,13 @@ constexpr char kSun[] =
     <light name="fill" directional="true" castshadow="false" pos="-2 2 3" dir="0.6 -0.5 -0.4"
       diffuse="0.12 0.13 0.15" specular="0 0 0"/>
 )";
+// Between walls the sun stands high, and the sky gives more of the light.
+constexpr char kPlaceSun[] =
+    R"(    <light name="sun" directional="true" pos="2 -1 4" dir="-0.25 0.3 -0.9" diffuse="0.5 0.49 0.46"
+      specular="0.15 0.15 0.15"/>
+    <light name="fill" directional="true" castshadow="false" pos="-2 2 3" dir="0.6 -0.5 -0.4"
+      diffuse="0.16 0.17 0.19" specular="0 0 0" ambient="0.16 0.16 0.16"/>
+)";
 // Neighbouring pieces differ in colour, so that edges are visible.
 constexpr std::array<const char*, 3> kColours = {"0.66 0.62 0.55 1", "0.6 0.57 0.52 1",
                                                  "0.71 0.67 0.6 1"};
@@ -100,7 +107,9 @@ std::string Geom(const TerrainPiece& piece, std::size_t i, double floor) {
   const std::string at =
       Numbers({piece.x - back * std::cos(piece.yaw), piece.y - back * std::sin(piece.yaw),
                piece.top - half * std::cos(piece.pitch)});
-  text += piece.shape == PieceShape::kCylinder
+  text += piece.shape == PieceShape::kSheet
+              ? "plane\" size=\"" + Numbers({piece.half_x, piece.half_y, 1})
+          : piece.shape == PieceShape::kCylinder
               ? "cylinder\" size=\"" + Numbers({piece.half_x, half})
               : "box\" size=\"" + Numbers({piece.half_x, piece.half_y, half});
   text += "\" pos=\"" + at + "\"";
@@ -136,7 +145,7 @@ std::string SceneXml(const TerrainPieces& terrain, const std::string& name, doub
     }
   }
   text += "  </asset>\n  <worldbody>\n";
-  text += kSun;
+  text += terrain.floor_colour() == nullptr ? kSun : kPlaceSun;
   text += "    <geom name=\"floor\" type=\"plane\" size=\"0 0 0.5\" pos=\"" +
           Numbers({0, 0, terrain.floor()}) + "\" material=\"floor\"" +
           FloorColour(terrain.floor_colour()) + Contact(friction) + "/>\n";
@@ -144,7 +153,8 @@ std::string SceneXml(const TerrainPieces& terrain, const std::string& name, doub
   // and the world body is near everything.
   std::map<std::pair<int, int>, std::string> bodies;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    bodies[CellOf(pieces[i])] += Geom(pieces[i], i, terrain.floor());
+    const std::string geom = Geom(pieces[i], i, terrain.floor());
+    (pieces[i].solid ? bodies[CellOf(pieces[i])] : text) += geom;
   }
   for (const auto& [cell, geoms] : bodies) text += "    <body>\n" + geoms + "    </body>\n";
   return text + "  </worldbody>\n</mujoco>\n";

@@ -9,7 +9,7 @@ namespace {
 // All sizes of this file are assumed: such as shops sell.
 constexpr double kWallHalf = 0.06;                      // m, half the thickness of a wall
 constexpr double kLintel = 2.1;                         // m, the top of an opening
-constexpr double kLayer = 0.004;                        // m, thickness of paint
+constexpr double kLayer = 0.004;                        // m between sheets
 constexpr double kStartHalfX = 1.5, kStartHalfY = 0.9;  // m around the origin, kept free
 constexpr double kBeforeOpening = 0.7;                  // m, kept free
 
@@ -188,7 +188,8 @@ void Furnisher::PutWall(const WallLine& line, double height, const char* colour,
          .thickness = height - bottom,
          .colour = colour});
   };
-  double from = line.from - kWallHalf;
+  const double more = line.along_x ? kWallHalf : -kWallHalf;
+  double from = line.from - more;
   for (const Opening& opening : openings) {
     put(from, opening.at - opening.width / 2, 0);
     from = opening.at + opening.width / 2;
@@ -196,17 +197,18 @@ void Furnisher::PutWall(const WallLine& line, double height, const char* colour,
     openings_.push_back(line.along_x ? Spot{.x = opening.at, .y = line.across}
                                      : Spot{.x = line.across, .y = opening.at});
   }
-  put(from, line.to + kWallHalf, 0);
+  put(from, line.to + more, 0);
 }
 
 void Furnisher::Paint(double x, double y, double half_x, double half_y, const char* colour,
                       int layer) {
-  Add({.x = x,
+  Add({.shape = PieceShape::kSheet,
+       .x = x,
        .y = y,
        .top = kLayer * layer,
        .half_x = half_x,
        .half_y = half_y,
-       .thickness = kLayer,
+       .thickness = 0,
        .colour = colour,
        .solid = false});
 }

@@ -47,10 +47,12 @@ class Furnisher {
   Furnisher(double friction, TerrainPieces* pieces) : friction_(friction), pieces_(pieces) {}
 
   void Put(std::span<const Part> parts, const Spot& spot);
-  // A wall of that height and colour. Over each opening it begins at 2.1 m.
+  // A wall of that height and colour. Over each opening it begins at 2.1 m. At their ends, walls
+  // along x reach past the lines of those along y, which end before them.
   void PutWall(const WallLine& line, double height, const char* colour,
                std::span<const Opening> openings = {});
-  // Paint or cloth that is seen and not felt: a box around (x, y), a few mm thick.
+  // Paint or cloth on the floor that is seen and not felt: a sheet around (x, y). Layers lie one
+  // upon the other.
   void Paint(double x, double y, double half_x, double half_y, const char* colour, int layer = 1);
   // Something flat that hangs on a wall: seen and not felt.
   void Hang(const Part& part);

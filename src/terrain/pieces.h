@@ -8,9 +8,9 @@
 
 namespace understudy::terrain {
 
-enum class PieceShape { kBox, kCylinder, kHeights };
+enum class PieceShape { kBox, kCylinder, kHeights, kSheet };
 
-// A block or height field, given by its top surface, in the world frame.
+// A block, a height field or a sheet, given by its top surface, in the world frame.
 struct TerrainPiece {
   PieceShape shape = PieceShape::kBox;
   double x = 0, y = 0, top = 0;                    // m, centre of the top

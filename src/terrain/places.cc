@@ -69,9 +69,9 @@ void AddRoomsOfApartment(Furnisher* f) {
   f->PutWall({false, -3.6, 3.4, -3}, kRoomHeight, kSage);
   f->PutWall({false, -3.6, 3.4, 7}, kRoomHeight, kPlaster);
   f->PutWall({false, -3.6, 3.4, 3}, kRoomHeight, kPlaster, to_rooms);
-  f->PutWall({true, -3, 3, -2}, kRoomHeight, kPlaster, to_hall);
+  f->PutWall({true, -2.88, 2.88, -2}, kRoomHeight, kPlaster, to_hall);
   f->PutWall({false, -3.6, -2, -0.5}, kRoomHeight, kPlaster, to_bath);
-  f->PutWall({true, 3, 7, 0}, kRoomHeight, kPlaster);
+  f->PutWall({true, 3.12, 6.88, 0}, kRoomHeight, kPlaster);
   f->Hang({-2.93, -0.6, 0.01, 0.5, 1.2, 1.9, "0.85 0.55 0.25 1"});
   f->Hang({-0.2, 3.33, 0.7, 0.01, 1.3, 1.9, "0.25 0.4 0.6 1"});
   f->Hang({-0.2, 3.32, 0.3, 0.01, 1.4, 1.75, "0.9 0.8 0.4 1"});
