@@ -126,10 +126,8 @@ std::string Geom(const TerrainPiece& piece, std::size_t i, double floor) {
 
 // Ground lies across the way, so that it is cut along x only; things stand anywhere.
 std::pair<int, int> CellOf(const TerrainPiece& piece) {
-  constexpr double kSlab = 1, kCell = 2;  // m
-  if (piece.colour == nullptr) return {static_cast<int>(std::floor(piece.x / kSlab)), 0};
-  return {static_cast<int>(std::floor(piece.x / kCell)),
-          static_cast<int>(std::floor(piece.y / kCell))};
+  const auto cell = [](double at) { return static_cast<int>(std::floor(at)); };  // of 1 m
+  return {cell(piece.x), piece.colour == nullptr ? 0 : cell(piece.y)};
 }
 
 std::string FloorColour(const char* colour) {

@@ -153,10 +153,8 @@ void AddOffice(const PlaceSpec& spec, TerrainPieces* pieces) {
   f.PutWall({false, -kHalf, kHalf, kEnd}, kRoomHeight, kPlaster, ends);
   Scatter({kBegin + 0.3, kEnd - 0.3, 0.85, kHalf - 0.1}, 8, spec, &random, &f);
   Scatter({kBegin + 0.3, kEnd - 0.3, -kHalf + 0.1, -0.85}, 8, spec, &random, &f);
-  for (const double side : {-1.0, 1.0}) {
-    Scatter({kBegin + 0.3, kEnd - 0.3, std::min(side * 1.5, side * 4.7),
-             std::max(side * 1.5, side * 4.7)},
-            16, spec, &random, &f);
+  for (const double y : {-3.1, 3.1}) {
+    Scatter({kBegin + 0.3, kEnd - 0.3, y - 1.6, y + 1.6}, 16, spec, &random, &f);
   }
 }
 
@@ -254,15 +252,16 @@ void AddStreet(const PlaceSpec& spec, TerrainPieces* pieces) {
         f.Put(kCar, {x + away, side * (kRoadHalf - 1.05), side < 0 ? 0 : 2 * kQuarter});
       }
     }
-    Scatter(
-        {kStreetX0, kStreetX1, std::min(side * 3.6, side * 5.6), std::max(side * 3.6, side * 5.6)},
-        16, spec, &random, &f);
   }
   for (double x = kStreetX0 + 1; x < kStreetX1; x += 3) {
     if (std::abs(x - kCrossing) > kCrossingHalf + 1) f.Paint(x, 0, 0.75, 0.06, kPaintWhite);
   }
   for (int i = -4; i <= 4; ++i) {
     f.Paint(kCrossing, 0.7 * i, kCrossingHalf, 0.2, kPaintWhite);
+  }
+  // Last, so that what stands about does not change the houses.
+  for (const double y : {-4.6, 4.6}) {
+    Scatter({kStreetX0, kStreetX1, y - 1, y + 1}, 16, spec, &random, &f);
   }
 }
 
