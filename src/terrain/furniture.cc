@@ -14,6 +14,8 @@ constexpr double kStartHalfX = 1.5, kStartHalfY = 0.9;  // m around the origin, 
 constexpr double kBeforeOpening = 0.7;                  // m, kept free
 
 constexpr auto kRound = PieceShape::kCylinder;
+constexpr auto kSquare = PieceShape::kBox;
+constexpr bool kSeen = false;  // and not touched, where the tick would pay for what nobody meets
 constexpr const char* kOak = "0.62 0.45 0.29 1";
 constexpr const char* kPine = "0.8 0.66 0.46 1";
 constexpr const char* kWalnut = "0.38 0.26 0.18 1";
@@ -51,34 +53,40 @@ constexpr Part kSofaParts[] = {{0.05, 0, 0.4, 0.8, 0.06, 0.42, kTeal},
                                {-0.38, 0, 0.1, 1, 0.06, 0.82, kTeal},
                                {0.03, 0.9, 0.45, 0.1, 0.06, 0.6, kTeal},
                                {0.03, -0.9, 0.45, 0.1, 0.06, 0.6, kTeal},
-                               {-0.22, 0.5, 0.08, 0.2, 0.42, 0.7, kYellow}};
-constexpr Part kBedParts[] = {
-    {0, 0, 1, 0.8, 0.05, 0.3, kOak},           {0.02, 0, 0.98, 0.78, 0.3, 0.5, kWhite},
-    {0.3, 0, 0.71, 0.81, 0.3, 0.54, kBlue},    {-1.02, 0, 0.03, 0.85, 0, 0.95, kOak},
-    {-0.72, 0.38, 0.2, 0.3, 0.5, 0.6, kLinen}, {-0.72, -0.38, 0.2, 0.3, 0.5, 0.6, kLinen}};
+                               {-0.22, 0.5, 0.08, 0.2, 0.42, 0.7, kYellow, kSquare, kSeen}};
+constexpr Part kBedParts[] = {{0, 0, 1, 0.8, 0.05, 0.3, kOak},
+                              {0.02, 0, 0.98, 0.78, 0.3, 0.5, kWhite},
+                              {0.3, 0, 0.71, 0.81, 0.3, 0.54, kBlue, kSquare, kSeen},
+                              {-1.02, 0, 0.03, 0.85, 0, 0.95, kOak},
+                              {-0.72, 0.38, 0.2, 0.3, 0.5, 0.6, kLinen, kSquare, kSeen},
+                              {-0.72, -0.38, 0.2, 0.3, 0.5, 0.6, kLinen, kSquare, kSeen}};
 constexpr Part kDeskParts[] = {{0, 0, 0.4, 0.8, 0.7, 0.74, kPine},
                                {0, 0.77, 0.38, 0.02, 0, 0.7, kSteel},
                                {0, -0.77, 0.38, 0.02, 0, 0.7, kSteel},
                                {-0.2, 0, 0.015, 0.3, 0.84, 1.2, kDark},
-                               {-0.2, 0, 0.1, 0.12, 0.74, 0.84, kDark}};
-constexpr Part kBookshelfParts[] = {
-    {-0.14, 0, 0.01, 0.5, 0, 1.9, kOak},          {0, 0.49, 0.15, 0.015, 0, 1.9, kOak},
-    {0, -0.49, 0.15, 0.015, 0, 1.9, kOak},        {0, 0, 0.15, 0.5, 0.04, 0.07, kOak},
-    {0, 0, 0.15, 0.5, 0.64, 0.67, kOak},          {0, 0, 0.15, 0.5, 1.24, 1.27, kOak},
-    {0, 0, 0.15, 0.5, 1.87, 1.9, kOak},           {-0.01, 0.28, 0.11, 0.18, 0.07, 0.34, kRed},
-    {-0.01, -0.2, 0.11, 0.26, 0.07, 0.38, kBlue}, {-0.01, 0.1, 0.11, 0.35, 0.67, 0.93, kLinen},
-    {-0.01, -0.3, 0.11, 0.16, 1.27, 1.55, kClay}};
+                               {-0.2, 0, 0.1, 0.12, 0.74, 0.84, kDark, kSquare, kSeen}};
+constexpr Part kBookshelfParts[] = {{-0.14, 0, 0.01, 0.5, 0, 1.9, kOak},
+                                    {0, 0.49, 0.15, 0.015, 0, 1.9, kOak},
+                                    {0, -0.49, 0.15, 0.015, 0, 1.9, kOak},
+                                    {0, 0, 0.15, 0.5, 0.04, 0.07, kOak},
+                                    {0, 0, 0.15, 0.5, 0.64, 0.67, kOak},
+                                    {0, 0, 0.15, 0.5, 1.24, 1.27, kOak},
+                                    {0, 0, 0.15, 0.5, 1.87, 1.9, kOak},
+                                    {-0.01, 0.28, 0.11, 0.18, 0.07, 0.34, kRed, kSquare, kSeen},
+                                    {-0.01, -0.2, 0.11, 0.26, 0.07, 0.38, kBlue, kSquare, kSeen},
+                                    {-0.01, 0.1, 0.11, 0.35, 0.67, 0.93, kLinen, kSquare, kSeen},
+                                    {-0.01, -0.3, 0.11, 0.16, 1.27, 1.55, kClay, kSquare, kSeen}};
 constexpr Part kWardrobeParts[] = {{0, 0, 0.3, 0.75, 0, 2.1, kWhite},
-                                   {0.31, 0.06, 0.015, 0.01, 0.9, 1.2, kSteel},
-                                   {0.31, -0.06, 0.015, 0.01, 0.9, 1.2, kSteel}};
+                                   {0.31, 0.06, 0.015, 0.01, 0.9, 1.2, kSteel, kSquare, kSeen},
+                                   {0.31, -0.06, 0.015, 0.01, 0.9, 1.2, kSteel, kSquare, kSeen}};
 constexpr Part kCounterParts[] = {{-0.02, 0, 0.28, 1, 0, 0.87, kWhite},
                                   {0, 0, 0.32, 1, 0.87, 0.91, kWalnut},
                                   {-0.13, 0, 0.17, 1, 1.45, 2.1, kWhite}};
 constexpr Part kFridgeParts[] = {{0, 0, 0.32, 0.3, 0, 1.8, kSteel},
-                                 {0.33, 0.24, 0.015, 0.012, 0.9, 1.5, kDark}};
+                                 {0.33, 0.24, 0.015, 0.012, 0.9, 1.5, kDark, kSquare, kSeen}};
 constexpr Part kTelevisionParts[] = {{0, 0, 0.2, 0.8, 0.05, 0.45, kWalnut},
                                      {-0.05, 0, 0.02, 0.6, 0.52, 1.2, kDark},
-                                     {-0.05, 0, 0.1, 0.15, 0.45, 0.52, kDark}};
+                                     {-0.05, 0, 0.1, 0.15, 0.45, 0.52, kDark, kSquare, kSeen}};
 constexpr Part kPlantParts[] = {{0, 0, 0.17, 0, 0, 0.32, kClay, kRound},
                                 {0, 0, 0.03, 0, 0.32, 0.7, kWalnut, kRound},
                                 {0, 0, 0.28, 0, 0.7, 1, kLeaf, kRound},
@@ -96,13 +104,17 @@ constexpr Part kToiletParts[] = {{0.08, 0, 0.2, 0, 0, 0.42, kWhite, kRound},
 constexpr Part kBasinParts[] = {{0, 0, 0.22, 0.3, 0.7, 0.85, kWhite},
                                 {-0.1, 0, 0.08, 0, 0, 0.7, kWhite, kRound}};
 constexpr Part kDoorLeafParts[] = {{0.46, 0, 0.46, 0.02, 0.01, 2.05, kOak},
-                                   {0.84, 0, 0.05, 0.06, 1, 1.03, kSteel}};
-constexpr Part kRackParts[] = {
-    {0.5, 1.35, 0.04, 0.04, 0, 3.6, kBlue},      {0.5, -1.35, 0.04, 0.04, 0, 3.6, kBlue},
-    {-0.5, 1.35, 0.04, 0.04, 0, 3.6, kBlue},     {-0.5, -1.35, 0.04, 0.04, 0, 3.6, kBlue},
-    {0, 0, 0.52, 1.31, 1.5, 1.54, kPine},        {0.53, 0, 0.02, 1.31, 1.42, 1.54, kOrange},
-    {-0.53, 0, 0.02, 1.31, 1.42, 1.54, kOrange}, {0, 0, 0.52, 1.31, 3, 3.04, kPine},
-    {0.53, 0, 0.02, 1.31, 2.92, 3.04, kOrange},  {-0.53, 0, 0.02, 1.31, 2.92, 3.04, kOrange}};
+                                   {0.84, 0, 0.05, 0.06, 1, 1.03, kSteel, kSquare, kSeen}};
+constexpr Part kRackParts[] = {{0.5, 1.35, 0.04, 0.04, 0, 3.6, kBlue},
+                               {0.5, -1.35, 0.04, 0.04, 0, 3.6, kBlue},
+                               {-0.5, 1.35, 0.04, 0.04, 0, 3.6, kBlue},
+                               {-0.5, -1.35, 0.04, 0.04, 0, 3.6, kBlue},
+                               {0, 0, 0.52, 1.31, 1.5, 1.54, kPine},
+                               {0.53, 0, 0.02, 1.31, 1.42, 1.54, kOrange, kSquare, kSeen},
+                               {-0.53, 0, 0.02, 1.31, 1.42, 1.54, kOrange, kSquare, kSeen},
+                               {0, 0, 0.52, 1.31, 3, 3.04, kPine},
+                               {0.53, 0, 0.02, 1.31, 2.92, 3.04, kOrange, kSquare, kSeen},
+                               {-0.53, 0, 0.02, 1.31, 2.92, 3.04, kOrange, kSquare, kSeen}};
 // The deck and the blocks of a pallet of 1.2 by 0.8 m.
 constexpr Part kPalletParts[] = {{0, 0, 0.4, 0.6, 0.1, 0.144, kPine},
                                  {0, 0.53, 0.4, 0.07, 0, 0.1, kPine},
@@ -113,14 +125,14 @@ constexpr Part kBollardParts[] = {{0, 0, 0.08, 0, 0, 0.6, kYellow, kRound},
                                   {0, 0, 0.08, 0, 0.8, 0.95, kYellow, kRound}};
 constexpr Part kStreetLampParts[] = {{0, 0, 0.07, 0, 0, 5, kDark, kRound},
                                      {0.4, 0, 0.5, 0.06, 5, 5.1, kDark},
-                                     {0.7, 0, 0.25, 0.12, 4.92, 5, kLinen}};
+                                     {0.7, 0, 0.25, 0.12, 4.92, 5, kLinen, kSquare, kSeen}};
 constexpr Part kTreeParts[] = {{0, 0, 0.14, 0, 0, 2.2, kWalnut, kRound},
                                {0, 0, 1.1, 0, 2.1, 3, kLeaf, kRound},
                                {0, 0, 0.8, 0, 3, 3.7, kLeaf, kRound},
                                {0, 0, 0.45, 0, 3.7, 4.2, kLeaf, kRound}};
 constexpr Part kCarParts[] = {{0, 0, 2.1, 0.88, 0.22, 0.8, kRed},
                               {-0.25, 0, 1.15, 0.78, 0.8, 1.4, kGlass},
-                              {-0.25, 0, 1.1, 0.8, 1.4, 1.45, kRed},
+                              {-0.25, 0, 1.1, 0.8, 1.4, 1.45, kRed, kSquare, kSeen},
                               {1.3, 0, 0.31, 0.9, 0, 0.5, kDark},
                               {-1.3, 0, 0.31, 0.9, 0, 0.5, kDark}};
 constexpr Part kBenchParts[] = {
@@ -133,11 +145,11 @@ constexpr Part kBinParts[] = {{0, 0, 0.2, 0, 0, 0.7, kLeaf, kRound},
 constexpr Part kHouseParts[] = {{-2, 0, 2, 3, 0, 6, kBrick},
                                 {0.3, -1.5, 0.3, 0.7, 0, 0.16, kSteel},
                                 {0.15, -1.5, 0.15, 0.7, 0.16, 0.32, kSteel},
-                                {0, -1.5, 0.03, 0.5, 0.32, 2.4, kWalnut},
-                                {0, 1.2, 0.03, 0.8, 1, 2.4, kGlass},
-                                {0, 1.2, 0.03, 0.8, 3.8, 5.2, kGlass},
-                                {0, -1.5, 0.03, 0.8, 3.8, 5.2, kGlass},
-                                {-2, 0, 2.1, 3.05, 6, 6.2, kDark}};
+                                {0, -1.5, 0.03, 0.5, 0.32, 2.4, kWalnut, kSquare, kSeen},
+                                {0, 1.2, 0.03, 0.8, 1, 2.4, kGlass, kSquare, kSeen},
+                                {0, 1.2, 0.03, 0.8, 3.8, 5.2, kGlass, kSquare, kSeen},
+                                {0, -1.5, 0.03, 0.8, 3.8, 5.2, kGlass, kSquare, kSeen},
+                                {-2, 0, 2.1, 3.05, 6, 6.2, kDark, kSquare, kSeen}};
 
 }  // namespace
 
@@ -171,7 +183,8 @@ void Furnisher::Put(std::span<const Part> parts, const Spot& spot) {
          .half_y = part.half_y,
          .thickness = part.top - part.bottom,
          .yaw = spot.yaw,
-         .colour = part.colour});
+         .colour = part.colour,
+         .solid = part.solid});
   }
 }
 

@@ -22,6 +22,7 @@ struct Part {
   double x, y, half_x, half_y, bottom, top;
   const char* colour;
   PieceShape shape = PieceShape::kBox;
+  bool solid = true;  // as in TerrainPiece
 };
 
 // Furniture (furniture.cc), of everyday sizes.
