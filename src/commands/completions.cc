@@ -48,9 +48,7 @@ Words Hands(const Typed& typed) {
 }
 
 Words Scenes(const Typed&) {
-  Words scenes = terrain::TerrainKinds();
-  scenes.emplace_back(terrain::kPatchesScene);
-  return scenes;
+  return terrain::GeneratedScenes();
 }
 
 Words Scenarios(const Typed&) {
