@@ -47,9 +47,7 @@ Words Hands(const Typed& typed) {
   return names;
 }
 
-Words Scenes(const Typed&) {
-  return terrain::GeneratedScenes();
-}
+Words Scenes(const Typed&) { return terrain::GeneratedScenes(); }
 
 Words Scenarios(const Typed&) {
   return schema::YamlNames(config::DataDir() / "config" / "scenarios");

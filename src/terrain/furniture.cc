@@ -8,7 +8,7 @@ namespace {
 
 // All sizes of this file are assumed: such as shops sell.
 constexpr double kWallHalf = 0.06;  // m, half the thickness of a wall
-// MuJoCo looks closer at whatever a geom's sphere meets, so long walls would cost each step much.
+// MuJoCo looks closer at every geom whose sphere meets another's: long walls would slow each step.
 constexpr double kPanel = 3;                            // m, a wall's longest part
 constexpr double kLintel = 2.1;                         // m, the top of an opening
 constexpr double kLayer = 0.004;                        // m between sheets
