@@ -7,7 +7,9 @@ namespace understudy::terrain {
 namespace {
 
 // All sizes of this file are assumed: such as shops sell.
-constexpr double kWallHalf = 0.06;                      // m, half the thickness of a wall
+constexpr double kWallHalf = 0.06;  // m, half the thickness of a wall
+// MuJoCo looks closer at every geom whose sphere meets another's: long walls would slow each step.
+constexpr double kPanel = 3;                            // m, a wall's longest part
 constexpr double kLintel = 2.1;                         // m, the top of an opening
 constexpr double kLayer = 0.004;                        // m between sheets
 constexpr double kStartHalfX = 1.5, kStartHalfY = 0.9;  // m around the origin, kept free
@@ -190,8 +192,7 @@ void Furnisher::Put(std::span<const Part> parts, const Spot& spot) {
 
 void Furnisher::PutWall(const WallLine& line, double height, const char* colour,
                         std::span<const Opening> openings) {
-  const auto put = [&](double from, double to, double bottom) {
-    if (to <= from) return;
+  const auto put_panel = [&](double from, double to, double bottom) {
     const double middle = (from + to) / 2, half = (to - from) / 2;
     Add({.x = line.along_x ? middle : line.across,
          .y = line.along_x ? line.across : middle,
@@ -200,6 +201,12 @@ void Furnisher::PutWall(const WallLine& line, double height, const char* colour,
          .half_y = line.along_x ? kWallHalf : half,
          .thickness = height - bottom,
          .colour = colour});
+  };
+  const auto put = [&](double from, double to, double bottom) {
+    const double panels = std::ceil((to - from) / kPanel);
+    for (double i = 0; i < panels; ++i) {
+      put_panel(from + (to - from) * i / panels, from + (to - from) * (i + 1) / panels, bottom);
+    }
   };
   const double more = line.along_x ? kWallHalf : -kWallHalf;
   double from = line.from - more;

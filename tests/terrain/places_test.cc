@@ -2,8 +2,6 @@
 #include "terrain/places.h"
 
 #include <array>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,13 +15,6 @@ namespace understudy::terrain {
 namespace {
 
 using testing::HasSubstr;
-
-std::string Bytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return bytes.str();
-}
 
 class PlacesTest : public TerrainTest {
  protected:
