@@ -1,9 +1,10 @@
 // Bytes as COLLADA.
+#include "mjcf/dae.h"
+
 #include <cstddef>
 #include <cstdint>
 
 #include "base/errors.h"
-#include "mjcf/dae.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
