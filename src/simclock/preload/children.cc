@@ -23,7 +23,7 @@ auto Reap(Call call) -> decltype(call()) {
   return result;
 }
 
-// Waits until a child has something to tell and leaves that to be told; below 0 with errno else.
+// Waits until a child has changed, which the next wait reports; below 0 with errno else.
 int WaitForChild(idtype_t type, id_t id, int options) {
   return WaitIn("waitpid", [=] {
     siginfo_t unused;
