@@ -305,8 +305,8 @@ std::array<std::string, 2> AddImuSites(const robot::RobotSpec& like, mjcf::UrdfR
                                                            : base;
   mjcf::MjcfElement* const second =
       like.imu.secondary_site.empty() || units.moved == main ? nullptr : units.moved;
-  const std::array<std::string, 2> bodies{main->Get("name"),
-                                          second == nullptr ? "" : second->Get("name")};
+  std::array<std::string, 2> bodies{main->Get("name"),
+                                    second == nullptr ? "" : second->Get("name")};
   // By name, since a site moves the bodies beside it.
   std::vector<std::pair<std::string, std::string>> sites{{bodies[0], like.imu.site}};
   if (second != nullptr) sites.emplace_back(bodies[1], like.imu.secondary_site);
