@@ -35,7 +35,6 @@ class CommandPort final : public NullPort {
 
   // Empty before the first.
   const robot::RobotState& lowstate() const { return lowstate_; }
-  void ForgetLowState() { lowstate_ = {}; }
 
  private:
   robot::Rate rate_;

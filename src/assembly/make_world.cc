@@ -8,6 +8,7 @@
 
 #include <malloc.h>
 
+#include "authority/onboard.h"
 #include "base/errors.h"
 #include "base/printed.h"
 #include "config/load.h"
@@ -15,6 +16,7 @@
 #include "config/randomization_keys.h"
 #include "mjcf/join.h"
 #include "mjcf/randomize_model.h"
+#include "motion/controllers.h"
 #include "physics/world_model.h"
 
 namespace understudy::assembly {
@@ -59,6 +61,10 @@ int SeedOf(const robot::RandomizationSpec& randomization, Notes* notes) {
   return seed;
 }
 
+bool IsThirdParty(const config::RobotConfig& robot) {
+  return !std::filesystem::path(robot.spec.model).is_relative();
+}
+
 // A third-party model may have other names than the robot's description, which then takes them.
 mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
   const config::SceneFile scene(config->scene, config->terrain);
@@ -66,7 +72,7 @@ mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
   physics::LoadNotes loaded;
   mjcf::ModelHandle model;
   for (config::RobotConfig& robot : config->robots) {
-    if (std::filesystem::path(robot.spec.model).is_relative()) continue;
+    if (!IsThirdParty(robot)) continue;
     physics::FittedModel fitted =
         physics::LoadFittedModel({.spec = robot.spec,
                                   .file = config::ModelFile(robot.spec),
@@ -87,21 +93,18 @@ mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
 }
 
 // Returns LoadModel's result, or a copy of what `compiled` has for this time step.
-mjcf::ModelHandle LoadOrCopyModel(config::Config* config, CompiledModel* compiled, Notes* notes) {
+mjcf::ModelHandle LoadOrCopyModel(config::Config* config, CompiledModels* compiled, Notes* notes) {
   if (compiled == nullptr) return LoadModel(config, notes);
-  if (compiled->model == nullptr || compiled->timestep != config->physics.timestep) {
-    Notes own;
-    compiled->model = LoadModel(config, &own);
-    compiled->timestep = config->physics.timestep;
-    compiled->specs.clear();
-    for (const config::RobotConfig& robot : config->robots) compiled->specs.push_back(robot.spec);
-    compiled->notes = std::move(own);
+  std::shared_ptr<const CompiledModel>& kept = (*compiled)[config->physics.timestep];
+  if (kept == nullptr) {
+    auto made = std::make_shared<CompiledModel>();
+    made->model = LoadModel(config, &made->notes);
+    for (const config::RobotConfig& robot : config->robots) made->specs.push_back(robot.spec);
+    kept = std::move(made);
   }
-  for (std::size_t i = 0; i < config->robots.size(); ++i) {
-    config->robots[i].spec = compiled->specs[i];
-  }
-  notes->insert(notes->end(), compiled->notes.begin(), compiled->notes.end());
-  return mjcf::CopyOf(*compiled->model);
+  for (std::size_t i = 0; i < config->robots.size(); ++i) config->robots[i].spec = kept->specs[i];
+  notes->insert(notes->end(), kept->notes.begin(), kept->notes.end());
+  return mjcf::CopyOf(*kept->model);
 }
 
 // Those at which every robot can send.
@@ -121,16 +124,39 @@ std::vector<double> PossibleTimesteps(const config::Config& config) {
   return steps;
 }
 
+// Adds a warning for a robot whose model lacks what its motion service needs. Throws ModelError if
+// it is to start standing, held up by that service.
+void CheckMotion(const config::RobotConfig& robot, const physics::RobotBody& body, Notes* notes) {
+  const std::string alias = authority::StartService(robot.spec, robot.motion);
+  if (alias.empty()) return;
+  const std::string misfit =
+      motion::Misfit({.spec = body.spec(),
+                      .service = authority::MotionService(body.spec(), alias),
+                      .body = body,
+                      .damping_kd = robot.gate.damping_kd});
+  if (misfit.empty()) return;
+  const std::string says = config::ModelFile(robot.spec).string() + ": motion service " + alias +
+                           " cannot move this model: " + misfit;
+  if (config::StartPoseOf(robot) == "standing") {
+    throw ModelError(says +
+                     "; or start otherwise (--start lying, hanging), or without it "
+                     "(--set motion.service=none)");
+  }
+  notes->push_back({kWarning, says + "; it only damps"});
+}
+
 // `config` has the names of the model.
 MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::ModelHandle nominal,
                  robot::Draws draws, Notes notes) {
   std::vector<physics::PlacedRobot> placed = PlacedRobots(config);
+  physics::World world(std::move(model), placed, std::move(nominal));
   for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (IsThirdParty(config.robots[i])) CheckMotion(config.robots[i], world.robot(i), &notes);
     const std::string& look = config.robots[i].look;
     if (look.empty()) continue;
     notes.push_back({kInfo, "drawn by the meshes of " + physics::CheckLook(placed[i], look)});
   }
-  return {.world = {std::move(model), placed, std::move(nominal)},
+  return {.world = std::move(world),
           .draws = std::move(draws),
           .notes = std::move(notes),
           .sight = std::make_shared<const SightModel>(config)};
@@ -138,7 +164,7 @@ MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::Mo
 
 }  // namespace
 
-MadePhysics MakePhysics(config::Config* config, CompiledModel* compiled) {
+MadePhysics MakePhysics(config::Config* config, CompiledModels* compiled) {
   Notes notes;
   robot::RandomizationSpec& ranges = config->randomization;
   if (!config::IsRandom(ranges)) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,19 +32,21 @@ struct MadePhysics {
   std::shared_ptr<const SightModel> sight;
 };
 
-// What was compiled of a configuration, so that its next worlds need no compiler. Empty at first.
+// What was compiled of a configuration for one time step. Does not change, so threads may share it.
 struct CompiledModel {
   mjcf::ModelHandle model;
-  double timestep = 0;                  // s, for which it was compiled
   std::vector<robot::RobotSpec> specs;  // of the robots, with the names of the model
   std::vector<Note> notes;              // on the models
 };
 
+// By time step [s], so that the next worlds of a configuration need no compiler. Empty at first.
+using CompiledModels = std::map<double, std::shared_ptr<const CompiledModel>>;
+
 // Compiles robots and scene and draws the randomization. Updates `config` with the names of a
 // third-party model and with the drawn seed, time step, delay and motors. `compiled` keeps the
-// model for further calls with configurations that differ in seeds alone; null: it is not kept.
+// models for further calls with configurations that differ in seeds alone; null: none is kept.
 // Throws ModelError.
-MadePhysics MakePhysics(config::Config* config, CompiledModel* compiled = nullptr);
+MadePhysics MakePhysics(config::Config* config, CompiledModels* compiled = nullptr);
 
 // What connects a robot to programs.
 struct Ports {

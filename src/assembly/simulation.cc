@@ -23,6 +23,11 @@ Simulation::Simulation(config::Config config, const PortsOf& ports)
   Make();
 }
 
+Simulation::Simulation(const Simulation& like, const PortsOf& ports)
+    : given_(like.given_), ports_(ports), compiled_(like.compiled_), config_(given_) {
+  Make();
+}
+
 void Simulation::Begin(int seed) {
   config_ = given_;
   config_.randomization.seed = seed;

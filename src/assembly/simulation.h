@@ -24,13 +24,16 @@ class Simulation {
   // empty, or where it returns a null port, the robot has a NullPort. Throws ModelError, and
   // ConfigError for a planned fault that a robot cannot have.
   explicit Simulation(config::Config config, const PortsOf& ports = {});
+  // Of the configuration that `like` was made of, with ports of its own. Nothing is compiled that
+  // `like` has compiled, so this takes a twentieth of the time. Threads may do this at once.
+  Simulation(const Simulation& like, const PortsOf& ports);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
   // Begins anew with other seeds, of the sensors and of what is drawn at random: bit for bit as a
   // new simulation whose sensors.seed and randomization.seed are `seed`, which must not be
-  // negative. Nothing is compiled, unless the time step is drawn. World, notes and draws are new
-  // ones; ports are cleared. Throws as the constructor.
+  // negative. Nothing is compiled but for a time step that is drawn for the first time. World,
+  // notes and draws are new ones; ports are cleared. Throws as the constructor.
   void Begin(int seed);
 
   // Carries out a request (docs/reference/requests.md) such as "push" with its values before the
@@ -55,7 +58,7 @@ class Simulation {
 
   config::Config given_;
   PortsOf ports_;
-  CompiledModel compiled_;
+  CompiledModels compiled_;
   config::Config config_;
   robot::Draws draws_;
   std::vector<Note> notes_;

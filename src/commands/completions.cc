@@ -47,11 +47,7 @@ Words Hands(const Typed& typed) {
   return names;
 }
 
-Words Scenes(const Typed&) {
-  Words scenes = terrain::TerrainKinds();
-  scenes.emplace_back(terrain::kPatchesScene);
-  return scenes;
-}
+Words Scenes(const Typed&) { return terrain::GeneratedScenes(); }
 
 Words Scenarios(const Typed&) {
   return schema::YamlNames(config::DataDir() / "config" / "scenarios");

@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -55,6 +56,10 @@ void CopyMeshes(const std::vector<mjcf::UrdfReadMesh>& meshes, const fs::path& f
   for (const mjcf::UrdfReadMesh& mesh : meshes) {
     const fs::path to = folder / mesh.to;
     fs::create_directories(to.parent_path(), error);
+    if (!mesh.stl.empty()) {
+      WriteFile(to, mesh.stl);
+      continue;
+    }
     if (fs::copy_file(mesh.from, to, error); error) {
       throw ConfigError(to.string() + ": cannot be written: " + error.message());
     }
@@ -111,9 +116,11 @@ int NewCommand(const NewArguments& arguments) {
                          .like = like_name,
                          .urdf = arguments.urdf,
                          .robot = mjcf::ReadUrdf(arguments.urdf),
-                         .motors = {}};
+                         .motors = {},
+                         .two_units = false};
   robot.motors = config::MatchMotors(like.robots[0].spec, robot.robot.joints);
-  const std::string unit = config::AddImuSite(like.robots[0].spec, &robot.robot);
+  const std::array<std::string, 2> units = config::AddImuSites(like.robots[0].spec, &robot.robot);
+  robot.two_units = !units[1].empty();
   robot.robot.model.Set("model", robot.name);
 
   MakeRobotFolder(folder);
@@ -132,15 +139,18 @@ int NewCommand(const NewArguments& arguments) {
     throw;
   }
 
-  std::printf("%s: %zu links, %zu joints; base %s; inertial unit at the origin of %s\n",
+  std::printf("%s: %zu links, %zu joints; base %s; inertial unit at the origin of %s%s\n",
               model.c_str(), robot.robot.bodies.size(), robot.robot.joints.size(),
-              robot.robot.base.c_str(), unit.c_str());
+              robot.robot.base.c_str(), units[0].c_str(),
+              robot.two_units ? (", a second one of " + units[1]).c_str() : "");
   std::printf("%s: a robot like %s\n%s: a first scenario\n\n", yaml.c_str(), robot.like.c_str(),
               scenario.c_str());
   const int missing = PrintMotors(robot);
   if (missing > 0) {
-    std::printf("\n%d of %zu motors have no joint: name them in %s, then: understudy check %s\n",
-                missing, robot.motors.size(), yaml.c_str(), yaml.c_str());
+    const bool few = 2 * static_cast<std::size_t>(missing) < robot.motors.size();
+    std::printf("\n%d of %zu motors have no joint: name them in %s, then: understudy check %s%s\n",
+                missing, robot.motors.size(), yaml.c_str(), yaml.c_str(),
+                few ? "; a run leaves out those that the robot does not have" : "");
     return static_cast<int>(ExitCode::kConfig);
   }
   CheckThatItFits(yaml);

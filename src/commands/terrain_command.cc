@@ -25,9 +25,8 @@ int TerrainCommand(const TerrainArguments& arguments) {
   const config::Config config = config::LoadScene(
       {.robot = {}, .files = arguments.config_files, .sets = sets, .typed = arguments.typed});
   if (!terrain::IsTerrain(config.scene)) {
-    std::vector<std::string> scenes = terrain::TerrainKinds();
-    scenes.emplace_back(terrain::kPatchesScene);
-    throw ModelError("no terrain '" + config.scene + "'" + DidYouMean(config.scene, scenes));
+    throw ModelError("no terrain '" + config.scene + "'" +
+                     DidYouMean(config.scene, terrain::GeneratedScenes()));
   }
   terrain::WriteTerrain(config.scene, config.terrain, arguments.out);
   const std::filesystem::path file = std::filesystem::path(arguments.out) / "scene.xml";
@@ -64,7 +63,8 @@ void AddTerrainCommand(CLI::App* app, Chosen* chosen) {
       "  understudy terrain rough --difficulty 0.7 --seed 3 --out field\n"
       "  understudy run go2 --scene field/scene.xml\n"
       "Kinds: flat, rough, waves, slopes, stairs_up, stairs_down, floating_stairs, gaps,\n"
-      "stepping_stones, boxes, obstacles, image; row is terrain.patches, one after another.");
+      "stepping_stones, boxes, obstacles, image; row is terrain.patches, one after another.\n"
+      "Places: apartment, office, warehouse, street; difficulty says how much stands about.");
   terrain->callback([=] { *chosen = [=] { return TerrainCommand(*arguments); }; });
 }
 

@@ -17,8 +17,7 @@ std::filesystem::path FindFile(const std::string& scene) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) return file;
   if (path.has_extension()) throw ModelError("scene " + scene + ": no such file");
-  std::vector<std::string> scenes = terrain::TerrainKinds();
-  scenes.emplace_back(terrain::kPatchesScene);
+  std::vector<std::string> scenes = terrain::GeneratedScenes();
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".xml") continue;
     const std::string name = entry.path().stem();

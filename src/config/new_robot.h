@@ -1,6 +1,7 @@
 // Makes the description of a robot from its URDF and a robot that it is like: for `understudy new`.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,16 @@ struct NewRobot {
   std::string name;
   std::string like;       // as typed
   std::string urdf;       // as typed
-  mjcf::UrdfRobot robot;  // its model has the site
+  mjcf::UrdfRobot robot;  // its model has the sites
   std::vector<MotorMatch> motors;
+  bool two_units = false;  // inertial ones
 };
 
-// Adds a site for the inertial unit, named as in `like`, to the model: in the body of a link with
-// "imu" in its name, else at the origin of the base. Returns that body.
-std::string AddImuSite(const robot::RobotSpec& like, mjcf::UrdfRobot* robot);
+// Adds sites for the inertial units, named as in `like`, to the model. The main unit is in the body
+// of the first link with "imu" in its name that is fixed to the base, of the first such link
+// elsewhere if there is none, else at the origin of the base. The second unit, if `like` has one,
+// is in the first such link elsewhere. Returns the two bodies, "" for no second unit.
+std::array<std::string, 2> AddImuSites(const robot::RobotSpec& like, mjcf::UrdfRobot* robot);
 
 // Returns the robot's YAML, commented. `model` is the compiled one; in it the soles of feet and the
 // heights of start poses are looked up. `revisions` are those of `like`, which it loses.

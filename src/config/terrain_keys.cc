@@ -35,8 +35,8 @@ void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
 
 void DescribeScene(Archive& a, Config& c) {
   a.Key(UNDERSTUDY_NVP(c.scene),
-        {"Ground: a kind of terrain, row for terrain.patches, a name in models/scene, an MJCF "
-         "file, or a YAML file with scene and terrain"});
+        {"Ground: a kind of terrain, a place, row for terrain.patches, a name in models/scene, an "
+         "MJCF file, or a YAML file with scene and terrain"});
   a.Section(UNDERSTUDY_NVP(c.terrain), {"Generated ground (docs/reference/terrain.md)"},
             DescribeTerrain);
 }

@@ -36,7 +36,7 @@ struct Candidate {
 
 MjcfElement ReadModel(const path& file) {
   if (LowerEnding(file) != ".urdf") return ReadMjcf(file);
-  UrdfRobot robot = ReadUrdf(file);
+  UrdfRobot robot = ReadUrdf(file, DaeUse::kNamed);
   for (MjcfElement& section : robot.model.children) {
     if (section.name != "asset") continue;
     for (MjcfElement& mesh : section.children) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <span>
 
@@ -15,6 +13,7 @@
 #include "base/printed.h"
 #include "mjcf/eigen_views.h"
 #include "mjcf/scene_shapes.h"
+#include "mjcf/stl.h"
 
 namespace understudy::mjcf {
 namespace {
@@ -50,28 +49,17 @@ Isometry3d Pose(const double* position, const double* quaternion) {
   return Eigen::Translation3d(Vector(position)) * Quaternion(quaternion);
 }
 
-// A solid of three vertices each, without normals: readers compute them.
-std::string Stl(const mjModel& model, int mesh) {
-  const auto faces = static_cast<std::uint32_t>(model.mesh_facenum[mesh]);
-  std::string bytes(80, '\0');
-  const auto add = [&](const void* from, std::size_t size) {
-    bytes.append(static_cast<const char*>(from), size);
-  };
-  static_assert(std::endian::native == std::endian::little);
-  add(&faces, sizeof faces);
+std::string StlOf(const mjModel& model, int mesh) {
+  std::vector<float> corners;
   const float* const vertices =
       model.mesh_vert + 3 * static_cast<std::ptrdiff_t>(model.mesh_vertadr[mesh]);
-  const int* const corners =
+  const int* const faces =
       model.mesh_face + 3 * static_cast<std::ptrdiff_t>(model.mesh_faceadr[mesh]);
-  for (std::uint32_t i = 0; i < faces; ++i) {
-    const std::array<float, 3> normal{};
-    add(normal.data(), sizeof normal);
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      add(vertices + 3 * static_cast<std::ptrdiff_t>(corners[3 * i + k]), 3 * sizeof(float));
-    }
-    bytes.append(2, '\0');
+  for (int i = 0; i < 3 * model.mesh_facenum[mesh]; ++i) {
+    const float* const corner = vertices + 3 * static_cast<std::ptrdiff_t>(faces[i]);
+    corners.insert(corners.end(), corner, corner + 3);
   }
-  return bytes;
+  return Stl(corners);
 }
 
 class Writer {
@@ -190,7 +178,7 @@ class Writer {
         }
         const std::string name = RobotsName(model_, mjOBJ_MESH, model_.geom_dataid[geom]);
         if (std::ranges::find(urdf_.meshes, name, &UrdfMesh::name) == urdf_.meshes.end()) {
-          urdf_.meshes.push_back({name, Stl(model_, model_.geom_dataid[geom])});
+          urdf_.meshes.push_back({name, StlOf(model_, model_.geom_dataid[geom])});
         }
         return WriteShape(use, geom, pose, "mesh", {{"filename", "meshes/" + name + ".stl"}});
       }

@@ -1,37 +1,34 @@
 #include "mjcf/urdf_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
-#include <system_error>
 
 #include <Eigen/Geometry>
 #include <tinyxml2.h>
 
+#include "base/errors.h"
 #include "base/nearest_word.h"
 #include "mjcf/joints.h"
 #include "mjcf/urdf_elements.h"
+#include "mjcf/urdf_inertial.h"
+#include "mjcf/urdf_meshes.h"
 
 namespace understudy::mjcf {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using std::filesystem::path;
 
-constexpr double kLeastMass = 0.001;          // kg, of what moves and has none
-constexpr double kLeastInertia = 1e-6;        // kg·m²
 constexpr double kRotorInertia = 0.01;        // kg·m² at the joint, assumed
 constexpr std::size_t kMostLinksInARow = 90;  // of the levels that MuJoCo reads
-constexpr char kPackage[] = "package://";
-constexpr char kWorldLink[] = "world";  // the name of ROS for what robots are tied to
+constexpr char kWorldLink[] = "world";        // the name of ROS for what robots are tied to
 
 class UrdfTree {
  public:
-  explicit UrdfTree(const path& file)
-      : folder_(std::filesystem::absolute(file).parent_path()), root_(ReadXml(file)) {
+  UrdfTree(const path& file, DaeUse dae)
+      : root_(ReadXml(file)), meshes_(std::filesystem::absolute(file).parent_path(), dae) {
     if (root_.name != "robot") {
       FailAt(root_, "expected URDF, whose first element is <robot>, not <" + root_.name + ">");
     }
@@ -134,63 +131,50 @@ class UrdfTree {
     body.Set("name", name);
     if (joint != nullptr) SetPlace(OriginOf(*joint), &body);
     const bool moves = joint == nullptr || joint->Get("type") != "fixed";
-    AddInertia(link, moves, &body);
+    if (auto inertial = InertialOf(link, moves, &robot_.notes)) {
+      body.children.push_back(*std::move(inertial));
+    }
     if (joint == nullptr) {
       body.children.push_back(Made("freejoint"));
     } else if (moves) {
       body.children.push_back(Joint(*joint));
     }
-    int collisions = 0;
-    for (const MjcfElement& child : link.children) {
-      const bool looks = child.name == "visual";
-      if (!looks && child.name != "collision") continue;
-      MjcfElement geom = Made("geom");
-      geom.Set("class", looks ? "visual" : "collision");
-      if (!looks) {
-        ++collisions;
-        geom.Set("name",
-                 name + "_collision" + (collisions == 1 ? "" : "_" + std::to_string(collisions)));
-      }
-      SetPlace(OriginOf(child), &geom);
-      if (!Shape(child, looks, &geom)) continue;
-      if (looks) Paint(child, &geom);
-      body.children.push_back(std::move(geom));
-    }
+    AddGeoms(link, &body);
     for (const MjcfElement* next : children_[name]) {
       body.children.push_back(Body(*links_.at(LinkOf(*next, "child")), next, level + 1));
     }
     return body;
   }
 
-  void AddInertia(const MjcfElement& link, bool moves, MjcfElement* body) {
-    const MjcfElement* inertial = ChildOf(link, "inertial");
-    const double mass = inertial == nullptr ? 0 : NumberIn(ChildOf(*inertial, "mass"), "value", 0);
-    if (mass < 0) FailAt(*inertial, "a mass below 0");
-    MjcfElement made = Made("inertial");
-    if (mass > 0) {
-      const UrdfOrigin origin = OriginOf(*inertial);
-      const MjcfElement* given = ChildOf(*inertial, "inertia");
-      const auto n = [&](const char* name) { return NumberIn(given, name, 0); };
-      const double xx = n("ixx"), xy = n("ixy"), xz = n("ixz"), yy = n("iyy"), yz = n("iyz"),
-                   zz = n("izz");
-      Matrix3d about_own;
-      about_own << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-      const Matrix3d r = origin.r.toRotationMatrix();
-      const Matrix3d i = r * about_own * r.transpose();
-      const std::array<double, 6> full{i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)};
-      made.Set("pos", TextOf(origin.p));
-      made.Set("mass", TextOf(mass));
-      made.Set("fullinertia", NumbersText(full));
-    } else if (moves) {
-      robot_.notes.push_back("link '" + link.Get("name") + "' moves and has no mass: it gets " +
-                             TextOf(kLeastMass) + " kg");
-      made.Set("pos", "0 0 0");
-      made.Set("mass", TextOf(kLeastMass));
-      made.Set("diaginertia", TextOf(Vector3d::Constant(kLeastInertia)));
-    } else {
-      return;
+  // A link whose looks are all left out looks as it collides.
+  void AddGeoms(const MjcfElement& link, MjcfElement* body) {
+    std::vector<MjcfElement> colliding;
+    int looks = 0, left_out = 0;
+    for (const MjcfElement& child : link.children) {
+      const bool visual = child.name == "visual";
+      if (!visual && child.name != "collision") continue;
+      MjcfElement at = Made("geom");
+      at.Set("class", child.name);
+      SetPlace(OriginOf(child), &at);
+      std::vector<MjcfElement> geoms = Shapes(child, visual, std::move(at));
+      (geoms.empty() ? left_out : looks) += visual ? 1 : 0;
+      for (MjcfElement& geom : geoms) {
+        if (visual) {
+          if (geom.Find("rgba") == nullptr) Paint(child, &geom);
+        } else {
+          colliding.push_back(geom);
+          const std::size_t number = colliding.size();
+          geom.Set("name", link.Get("name") + "_collision" +
+                               (number == 1 ? "" : "_" + std::to_string(number)));
+        }
+        body->children.push_back(std::move(geom));
+      }
     }
-    body->children.push_back(std::move(made));
+    if (looks > 0 || left_out == 0) return;
+    for (MjcfElement& geom : colliding) {
+      geom.Set("class", "visual");
+      body->children.push_back(std::move(geom));
+    }
   }
 
   MjcfElement Joint(const MjcfElement& joint) {
@@ -233,89 +217,45 @@ class UrdfTree {
     return made;
   }
 
-  // Returns false if the geom is left out.
-  bool Shape(const MjcfElement& of, bool looks, MjcfElement* geom) {
+  // Returns a geom like `at` for each part of a <visual> or <collision>.
+  std::vector<MjcfElement> Shapes(const MjcfElement& of, bool looks, MjcfElement at) {
     const MjcfElement* geometry = ChildOf(of, "geometry");
     if (geometry == nullptr || geometry->children.empty())
       FailAt(of, "<" + of.name + "> has no shape");
     const MjcfElement& shape = geometry->children.front();
-    if (shape.name == "mesh") return Mesh(shape, looks, geom);
-    geom->Set("type", shape.name);
+    if (shape.name == "mesh") return Mesh(shape, looks, at);
+    at.Set("type", shape.name);
     if (shape.name == "box") {
-      geom->Set("size", TextOf(VectorIn(&shape, "size", Vector3d::Ones()) / 2));
+      at.Set("size", TextOf(VectorIn(&shape, "size", Vector3d::Ones()) / 2));
     } else if (shape.name == "cylinder") {
-      geom->Set("size", TextOf(NumberIn(&shape, "radius", 1)) + " " +
-                            TextOf(NumberIn(&shape, "length", 1) / 2));
+      at.Set("size", TextOf(NumberIn(&shape, "radius", 1)) + " " +
+                         TextOf(NumberIn(&shape, "length", 1) / 2));
     } else if (shape.name == "sphere") {
-      geom->Set("size", TextOf(NumberIn(&shape, "radius", 1)));
+      at.Set("size", TextOf(NumberIn(&shape, "radius", 1)));
     } else {
       FailAt(shape,
              "<" + shape.name + "> is no shape of URDF; expected box, cylinder, sphere, mesh");
     }
-    return true;
+    return {std::move(at)};
   }
 
-  bool Mesh(const MjcfElement& shape, bool looks, MjcfElement* geom) {
-    const std::string name = NeededIn(shape, "filename");
-    const path file = Find(name);
-    std::string kind = file.extension().string();
-    std::ranges::transform(kind, kind.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const bool known = kind == ".stl" || kind == ".obj" || kind == ".msh";
-    if (file.empty() || !known) {
-      const std::string why = file.empty()
-                                  ? "no such file in " + folder_.string() + " or the folders above"
-                                  : "MuJoCo reads STL, OBJ and MSH; convert it";
-      if (!looks) FailAt(shape, "mesh " + name + ": " + why);
-      robot_.notes.push_back(shape.place.text() + ": mesh " + name + ": " + why +
-                             "; visual mesh skipped");
-      return false;
+  // Returns no geom for a mesh that is only looked at and cannot be read.
+  std::vector<MjcfElement> Mesh(const MjcfElement& shape, bool looks, const MjcfElement& at) {
+    std::vector<UrdfMeshes::Part> parts;
+    try {
+      parts = meshes_.Take(shape);
+    } catch (const ModelError& error) {
+      if (!looks) throw;
+      robot_.notes.push_back(std::string(error.what()) + "; visual mesh skipped");
     }
-    geom->Set("type", "mesh");
-    geom->Set("mesh", MeshName(file, VectorIn(&shape, "scale", Vector3d::Ones())));
-    return true;
-  }
-
-  // Returns the file of a mesh, "" if there is none.
-  path Find(std::string name) const {
-    std::error_code ignored;
-    if (name.starts_with("file://")) name.erase(0, 7);
-    std::vector<path> tails{name};
-    if (name.starts_with(kPackage)) {
-      const path tail = name.substr(sizeof kPackage - 1);
-      tails = {tail, tail.lexically_relative(*tail.begin())};  // with its package and without
+    std::vector<MjcfElement> geoms;
+    for (const UrdfMeshes::Part& part : parts) {
+      MjcfElement& geom = geoms.emplace_back(at);
+      geom.Set("type", "mesh");
+      geom.Set("mesh", part.asset);
+      if (looks && part.rgba) geom.Set("rgba", NumbersText(*part.rgba));
     }
-    for (path folder = folder_;; folder = folder.parent_path()) {
-      for (const path& tail : tails) {
-        if (std::filesystem::is_regular_file(folder / tail, ignored)) return folder / tail;
-      }
-      if (folder == folder.parent_path()) return {};
-    }
-  }
-
-  // One asset per file and scale; files of one name from several folders get a number.
-  std::string MeshName(const path& file, const Vector3d& scale) {
-    const auto same = std::ranges::find(robot_.meshes, file, &UrdfReadMesh::from);
-    std::string to = "meshes/" + file.filename().string();
-    if (same != robot_.meshes.end()) {
-      to = same->to;
-    } else {
-      for (int n = 2;
-           std::ranges::find(robot_.meshes, to, &UrdfReadMesh::to) != robot_.meshes.end(); ++n) {
-        to = "meshes/" + std::to_string(n) + "_" + file.filename().string();
-      }
-      robot_.meshes.push_back({file, to});
-    }
-    const auto [asset, is_new] = assets_.try_emplace(to + " " + TextOf(scale), "");
-    if (is_new) {
-      asset->second = path(to).stem().string() + "_" + std::to_string(assets_.size());
-      MjcfElement mesh = Made("mesh");
-      mesh.Set("name", asset->second);
-      mesh.Set("file", to);
-      if (scale != Vector3d::Ones()) mesh.Set("scale", TextOf(scale));
-      asset_elements_.push_back(std::move(mesh));
-    }
-    return asset->second;
+    return geoms;
   }
 
   void Paint(const MjcfElement& visual, MjcfElement* geom) const {
@@ -352,26 +292,24 @@ class UrdfTree {
     add("visual", "0", "2");
     add("collision", "1", "3");
     robot_.model.children.push_back(std::move(defaults));
-    if (asset_elements_.empty()) return;
+    robot_.meshes = meshes_.TakeFiles();
     MjcfElement assets = Made("asset");
-    assets.children = std::move(asset_elements_);
-    robot_.model.children.push_back(std::move(assets));
+    assets.children = meshes_.TakeAssets();
+    if (!assets.children.empty()) robot_.model.children.push_back(std::move(assets));
   }
 
-  path folder_;
   MjcfElement root_;
   std::map<std::string, const MjcfElement*> links_;
   std::map<std::string, const MjcfElement*> colors_;                 // by material
   std::map<std::string, std::vector<const MjcfElement*>> children_;  // joints, by parent link
   std::set<std::string> parents_;                                    // links that have one
-  std::map<std::string, std::string> assets_;                        // by file and scale
-  std::vector<MjcfElement> asset_elements_;
+  UrdfMeshes meshes_;
   UrdfRobot robot_;
 };
 
 }  // namespace
 
-UrdfRobot ReadUrdf(const path& file) { return UrdfTree(file).Read(); }
+UrdfRobot ReadUrdf(const path& file, DaeUse dae) { return UrdfTree(file, dae).Read(); }
 
 std::string IndentedMjcf(const MjcfElement& root, const std::string& comment) {
   tinyxml2::XMLDocument document;

@@ -23,6 +23,7 @@ struct UrdfReadJoint {
 struct UrdfReadMesh {
   std::filesystem::path from;
   std::string to;
+  std::string stl;  // its content there, made of a part of `from`, a .dae; "": it is copied
 };
 
 struct UrdfRobot {
@@ -37,17 +38,21 @@ struct UrdfRobot {
   std::vector<std::string> notes;  // what was left out or made up, one line each
 };
 
+// What becomes of meshes in .dae files: they are read, or only named, by who cannot use them.
+enum class DaeUse { kRead, kNamed };
+
 // Reads a URDF file. Bodies have the names and frames of links, joints those of joints, with axis,
 // range, damping and friction; links that are fixed to others stay bodies of their own. Geoms of
 // <collision> are named "<link>_collision", "_collision_2" ...; they meet the ground and not each
-// other. <visual> has looks alone. A mesh is looked for beside the file and, by the name of its
-// package, in the folders above; MuJoCo reads STL, OBJ and MSH. What moves and has no mass gets a
-// gram. The rotor's inertia, of which URDF says nothing, is 0.01 kg·m² (*assumed*).
+// other. <visual> has looks alone; a link whose looks are all left out looks as it collides. A mesh
+// is looked for beside the file and, by the name of its package, in the folders above; MuJoCo reads
+// STL, OBJ and MSH. What moves and has no mass gets a gram, an inertia that no body has is repaired
+// (urdf_inertial.h). The rotor's inertia, of which URDF says nothing, is 0.01 kg·m² (*assumed*).
 //
 // Throws ModelError with file and line for a file that is not URDF (also xacro, which its own
 // program expands), links that form no tree, joints of other kinds, numbers that are none, and
 // colliding meshes that are missing or of another format.
-UrdfRobot ReadUrdf(const std::filesystem::path& file);
+UrdfRobot ReadUrdf(const std::filesystem::path& file, DaeUse dae = DaeUse::kRead);
 
 // Returns MJCF as indented text, `comment` before its first element.
 std::string IndentedMjcf(const MjcfElement& root, const std::string& comment);

@@ -81,13 +81,16 @@ constexpr ControllerRow kControllers[] = {
      CheckPolicy},
 };
 
+const ControllerRow& DefaultRow(RobotKind kind) {
+  return *std::ranges::find_if(kControllers,
+                               [kind](const ControllerRow& row) { return row.kinds.Has(kind); });
+}
+
 MotionPtr MakeDefault(const ControllerParts& parts) {
-  const auto row = std::ranges::find_if(
-      kControllers, [&](const ControllerRow& one) { return one.kinds.Has(parts.spec.kind); });
   try {
-    return row->make(parts);
+    return DefaultRow(parts.spec.kind).make(parts);
   } catch (const ModelError&) {
-    return MakeDamping(parts);  // a third-party model whose feet are not found
+    return MakeDamping(parts);  // Misfit says why
   }
 }
 
@@ -112,6 +115,16 @@ std::vector<std::string> ControllerNames(RobotKind kind) {
 const ControllerRow* FindController(std::string_view name) {
   const auto row = std::ranges::find(kControllers, name, &ControllerRow::name);
   return row == std::end(kControllers) ? nullptr : row;
+}
+
+std::string Misfit(const ControllerParts& parts) {
+  if (FindController(parts.service.controller) != nullptr) return "";
+  try {
+    DefaultRow(parts.spec.kind).make(parts);
+  } catch (const ModelError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 MotionPtr MakeMotion(const ControllerParts& parts) {

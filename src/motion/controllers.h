@@ -44,9 +44,13 @@ std::vector<std::string> ControllerNames(robot::RobotKind kind);
 // Returns null for kDefaultController and unknown names.
 const ControllerRow* FindController(std::string_view name);
 
+// Returns what the model lacks for the default controller of its kind, which then only damps; "" if
+// it lacks nothing or the service has another controller.
+std::string Misfit(const ControllerParts& parts);
+
 // Makes the controller of a motion service, as the service's `controller` says, with the protection
 // of motion/protection.h. Never returns null. A robot whose model does not fit its default
-// controller only damps. Throws ModelError and ConfigError.
+// controller only damps (Misfit). Throws ModelError and ConfigError.
 std::unique_ptr<authority::Motion> MakeMotion(const ControllerParts& parts);
 
 }  // namespace understudy::motion

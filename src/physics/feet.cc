@@ -47,22 +47,27 @@ std::vector<int> LowestGeoms(const mjModel& model, const mjData& data,
   return moved;
 }
 
+std::vector<std::vector<int>> FootGeoms(const mjModel& model, const mjData& data,
+                                        const robot::RobotSpec& spec) {
+  std::vector<std::vector<int>> feet;
+  for (const robot::FootSpec& foot : spec.feet) {
+    std::vector<int>& geoms = feet.emplace_back();
+    for (const std::string& name : foot.geoms) {
+      const int geom = mj_name2id(&model, mjOBJ_GEOM, name.c_str());
+      if (geom >= 0) geoms.push_back(geom);
+    }
+    if (geoms.empty()) geoms = LowestGeoms(model, data, JointsOfSide(spec, Side(foot.name)));
+  }
+  return feet;
+}
+
 std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec) {
   std::vector<int> foot_of_geom(static_cast<std::size_t>(model.ngeom), -1);
-  for (std::size_t foot = 0; foot < spec.feet.size(); ++foot) {
-    bool named = false;
-    const auto add = [&](int geom) {
+  const std::vector<std::vector<int>> feet = FootGeoms(model, data, spec);
+  for (std::size_t foot = 0; foot < feet.size(); ++foot) {
+    for (const int geom : feet[foot]) {
       foot_of_geom[static_cast<std::size_t>(geom)] = static_cast<int>(foot);
-    };
-    for (const std::string& name : spec.feet[foot].geoms) {
-      const int geom = mj_name2id(&model, mjOBJ_GEOM, name.c_str());
-      if (geom < 0) continue;
-      named = true;
-      add(geom);
     }
-    if (named) continue;
-    std::ranges::for_each(LowestGeoms(model, data, JointsOfSide(spec, Side(spec.feet[foot].name))),
-                          add);
   }
   return foot_of_geom;
 }

@@ -15,11 +15,14 @@ namespace understudy::physics {
 std::vector<int> LowestGeoms(const mjModel& model, const mjData& data,
                              const std::vector<std::string>& joints);
 
-// Returns for each geom of the model the index of its foot in spec.feet, or -1. A foot has the
-// geoms that it names. If none of them is in the model, it gets the colliding geoms of the lowest
-// body (at joint angles 0) that is moved by motors whose joints begin like the foot's name (FR,
-// left); only geoms that reach within 1 cm of the lowest point count. `data` has the kinematics at
-// joint angles 0.
+// Returns the geoms of each foot, in the order of spec.feet. A foot has the geoms that it names. If
+// none of them is in the model, it gets the colliding geoms of the lowest body (at joint angles 0)
+// that is moved by motors whose joints begin like the foot's name (FR, left); only geoms that reach
+// within 1 cm of the lowest point count. `data` has the kinematics at joint angles 0.
+std::vector<std::vector<int>> FootGeoms(const mjModel& model, const mjData& data,
+                                        const robot::RobotSpec& spec);
+
+// Returns for each geom of the model the index of its foot (FootGeoms), or -1.
 std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec);
 
 }  // namespace understudy::physics

@@ -45,10 +45,11 @@ void AddClamp(const std::string& base, mjcf::MjcfElement* root) {
 }
 
 // Reserves memory for contacts, which MuJoCo 2 allocates in advance and MuJoCo 3 as needed. The
-// most seen is a G1 that struggles on rough ground: 68 contacts, 302 rows.
+// most seen is a G1 that struggles on rough ground: 68 contacts, 302 rows. Twice that is room; the
+// memory, and the time to begin anew, grow with the square of the rows.
 void MakeRoom(const std::vector<LoadedRobot>& robots, mjcf::MjcfElement* root) {
 #if mjVERSION_HEADER < 300
-  constexpr int kContacts = 300, kRows = 1200;
+  constexpr int kContacts = 150, kRows = 600;
   int contacts = 0, rows = 0;
   for (const LoadedRobot& robot : robots) {
     contacts += std::max(robot.model->nconmax, kContacts);

@@ -73,7 +73,8 @@ Batch::Batch(const config::Layers& layers, std::size_t count, std::size_t thread
   if (worlds_[0]->simulation().world().robot_count() != 1) {
     throw std::invalid_argument("Batch: expected one robot a world");
   }
-  OverThreads(count - 1, [&](std::size_t i) { worlds_[i + 1] = std::make_shared<World>(layers); });
+  const assembly::Simulation& first = worlds_[0]->simulation();
+  OverThreads(count - 1, [&](std::size_t i) { worlds_[i + 1] = std::make_shared<World>(first); });
   columns_ = Columns(robot(0).spec(), count);
   std::vector<std::size_t> all(count);
   std::vector<int> seeds(count);

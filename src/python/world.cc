@@ -15,20 +15,34 @@ World::World(const config::Layers& layers) {
   for (const config::RobotConfig& robot : config.robots) {
     ports_.emplace_back(robot.spec, config.physics.timestep);
   }
-  simulation_ = std::make_unique<assembly::Simulation>(
-      config, [this](std::size_t robot) { return assembly::Ports{&ports_[robot]}; });
-  ReadEventsAnew();
+  simulation_ = std::make_unique<assembly::Simulation>(config, OwnPorts());
+  BeginPorts();
+}
+
+World::World(const assembly::Simulation& like) {
+  for (const config::RobotConfig& robot : like.config().robots) {
+    ports_.emplace_back(robot.spec, like.config().physics.timestep);
+  }
+  simulation_ = std::make_unique<assembly::Simulation>(like, OwnPorts());
+  BeginPorts();
 }
 
 void World::Begin(int seed) {
   if (seed < 0) throw std::invalid_argument("begin: expected a seed of 0 or more");
   events_.clear();
   simulation_->Begin(seed);
-  for (assembly::CommandPort& port : ports_) port.ForgetLowState();
-  ReadEventsAnew();
+  BeginPorts();
 }
 
-void World::ReadEventsAnew() {
+assembly::PortsOf World::OwnPorts() {
+  return [this](std::size_t robot) { return assembly::Ports{&ports_[robot]}; };
+}
+
+void World::BeginPorts() {
+  const config::Config& config = simulation_->config();
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    ports_[i] = assembly::CommandPort(config.robots[i].spec, config.physics.timestep);
+  }
   events_.assign(ports_.size(), emulator::EventRing::Reader(&simulation_->world().events()));
 }
 

@@ -19,6 +19,8 @@ class World : public std::enable_shared_from_this<World> {
  public:
   // Throws ConfigError or ModelError.
   explicit World(const config::Layers& layers);
+  // As assembly::Simulation's: of the same configuration, without compiling it again.
+  explicit World(const assembly::Simulation& like);
 
   // As assembly::Simulation::Begin; commands that wait and events that nobody has taken are gone.
   void Begin(int seed);
@@ -32,7 +34,8 @@ class World : public std::enable_shared_from_this<World> {
   std::vector<emulator::ToldEvent> TakeEvents(std::size_t robot);
 
  private:
-  void ReadEventsAnew();
+  assembly::PortsOf OwnPorts();
+  void BeginPorts();  // as new ones, at the time step that was drawn; events are read from now on
 
   std::deque<assembly::CommandPort> ports_;  // by robot
   std::unique_ptr<assembly::Simulation> simulation_;

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <linux/futex.h>
 #include <sched.h>
 #include <spdlog/spdlog.h>
-#include <sys/file.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#include "simclock/cores.h"
 
 namespace understudy::simclock {
 namespace {
@@ -42,37 +42,6 @@ long Futex(std::atomic<std::uint32_t>* word, int operation, std::uint32_t value,
   return ::syscall(SYS_futex, word, operation, value, timeout, nullptr, 0);
 }
 
-void Pin(int core) {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  CPU_SET(static_cast<std::size_t>(core), &set);
-  ::sched_setaffinity(0, sizeof(set), &set);
-}
-
-bool TakeFifo() {
-  const sched_param below{.sched_priority = 1};
-  return ::sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &below) == 0;
-}
-
-// A core that no other run on this machine has for itself, with its lock. The first core is never
-// one: the rest of the machine needs it.
-std::optional<std::pair<int, UniqueFd>> CoreOfOurOwn() {
-  cpu_set_t set;
-  if (::sched_getaffinity(0, sizeof(set), &set) != 0) return std::nullopt;
-  std::vector<int> cores;
-  for (int i = 0; i < CPU_SETSIZE; ++i) {
-    if (CPU_ISSET(static_cast<std::size_t>(i), &set)) cores.push_back(i);
-  }
-  for (; cores.size() > 1; cores.pop_back()) {
-    const std::string file = "/sys/devices/system/cpu/cpu" + std::to_string(cores.back());
-    UniqueFd lock(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-    if (lock.valid() && ::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) {
-      return std::pair(cores.back(), std::move(lock));
-    }
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 Coordinator::Coordinator(Page* page, bool realtime, std::chrono::nanoseconds most_computing)
@@ -91,7 +60,7 @@ Coordinator::~Coordinator() = default;
 
 std::string Coordinator::Begin() {
   loop_ = ::gettid();
-  if (page_.fifo != 0) {  // on the other cores, as this thread has them yet
+  if (page_.fifo != 0) {
     watching_ = std::jthread([this](const std::stop_token& stop) { Watch(stop); });
   }
   Pin(page_.core);
@@ -301,6 +270,7 @@ bool Coordinator::NoteStall(std::uint32_t computing) {
 
 // Looks for a thread that computes while time stands, as the loop cannot.
 void Coordinator::Watch(const std::stop_token& stop) {
+  KeepOff(page_.core);
   const Sleepers sleepers(&page_);
   std::int64_t before = -1;
   std::map<std::uint32_t, std::int64_t> cpu;  // when time began to stand, by slot
@@ -310,7 +280,8 @@ void Coordinator::Watch(const std::stop_token& stop) {
       cpu.clear();
     }
     for (std::uint32_t i = 0; i < page_.used; ++i) {
-      if (page_.slots[i].state != State::kRunning || page_.slots[i].pid == 0) continue;
+      // Those too that say that they wait: in a handler of signals, or in the kernel.
+      if (page_.slots[i].state == State::kFree || page_.slots[i].pid == 0) continue;
       const std::int64_t had = sleepers.CpuOf(i);
       if (had - cpu.try_emplace(i, had).first->second > most_computing_.count()) {
         return TakePriority(i);

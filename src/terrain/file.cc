@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <map>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/errors.h"
@@ -39,6 +40,13 @@ constexpr char kSun[] =
       specular="0.2 0.2 0.2"/>
     <light name="fill" directional="true" castshadow="false" pos="-2 2 3" dir="0.6 -0.5 -0.4"
       diffuse="0.12 0.13 0.15" specular="0 0 0"/>
+)";
+// Between walls the sun stands high, and the sky gives more of the light.
+constexpr char kPlaceSun[] =
+    R"(    <light name="sun" directional="true" pos="2 -1 4" dir="-0.25 0.3 -0.9" diffuse="0.5 0.49 0.46"
+      specular="0.15 0.15 0.15"/>
+    <light name="fill" directional="true" castshadow="false" pos="-2 2 3" dir="0.6 -0.5 -0.4"
+      diffuse="0.16 0.17 0.19" specular="0 0 0" ambient="0.16 0.16 0.16"/>
 )";
 // Neighbouring pieces differ in colour, so that edges are visible.
 constexpr std::array<const char*, 3> kColours = {"0.66 0.62 0.55 1", "0.6 0.57 0.52 1",
@@ -95,21 +103,35 @@ std::string Geom(const TerrainPiece& piece, std::size_t i, double floor) {
            "\" rgba=\"0.72 0.66 0.55 1\"" + Contact(piece.friction) + "/>\n";
   }
   // The centre of a pitched plank is half its thickness below its top, along the top's normal.
-  const double half = thickness / 2;
-  const std::string at = Numbers(
-      {piece.x - half * std::sin(piece.pitch), piece.y, piece.top - half * std::cos(piece.pitch)});
-  text += piece.shape == PieceShape::kCylinder
+  const double half = thickness / 2, back = half * std::sin(piece.pitch);
+  const std::string at =
+      Numbers({piece.x - back * std::cos(piece.yaw), piece.y - back * std::sin(piece.yaw),
+               piece.top - half * std::cos(piece.pitch)});
+  text += piece.shape == PieceShape::kSheet
+              ? "plane\" size=\"" + Numbers({piece.half_x, piece.half_y, 1})
+          : piece.shape == PieceShape::kCylinder
               ? "cylinder\" size=\"" + Numbers({piece.half_x, half})
               : "box\" size=\"" + Numbers({piece.half_x, piece.half_y, half});
   text += "\" pos=\"" + at + "\"";
-  if (piece.pitch != 0) {
-    text +=
-        " quat=\"" + Numbers({std::cos(piece.pitch / 2), 0, std::sin(piece.pitch / 2), 0}) + "\"";
-  } else if (piece.yaw != 0) {
-    text += " quat=\"" + Numbers({std::cos(piece.yaw / 2), 0, 0, std::sin(piece.yaw / 2)}) + "\"";
+  if (piece.pitch != 0 || piece.yaw != 0) {
+    const double cp = std::cos(piece.pitch / 2), sp = std::sin(piece.pitch / 2);
+    const double cy = std::cos(piece.yaw / 2), sy = std::sin(piece.yaw / 2);
+    text += " quat=\"" + Numbers({cy * cp, -sy * sp, cy * sp, sy * cp}) + "\"";
   }
-  return text + " rgba=\"" + kColours[i % kColours.size()] + "\"" + Contact(piece.friction) +
+  text += std::string(" rgba=\"") +
+          (piece.colour == nullptr ? kColours[i % kColours.size()] : piece.colour) + "\"";
+  return text + (piece.solid ? Contact(piece.friction) : " contype=\"0\" conaffinity=\"0\"") +
          "/>\n";
+}
+
+// Ground lies across the way, so that it is cut along x only; things stand anywhere.
+std::pair<int, int> CellOf(const TerrainPiece& piece) {
+  const auto cell = [](double at) { return static_cast<int>(std::floor(at)); };  // of 1 m
+  return {cell(piece.x), piece.colour == nullptr ? 0 : cell(piece.y)};
+}
+
+std::string FloorColour(const char* colour) {
+  return colour == nullptr ? "" : std::string(" rgba=\"") + colour + "\"";
 }
 
 std::string SceneXml(const TerrainPieces& terrain, const std::string& name, double friction) {
@@ -121,16 +143,18 @@ std::string SceneXml(const TerrainPieces& terrain, const std::string& name, doub
     }
   }
   text += "  </asset>\n  <worldbody>\n";
-  text += kSun;
+  text += terrain.floor_colour() == nullptr ? kSun : kPlaceSun;
   text += "    <geom name=\"floor\" type=\"plane\" size=\"0 0 0.5\" pos=\"" +
-          Numbers({0, 0, terrain.floor()}) + "\" material=\"floor\"" + Contact(friction) + "/>\n";
-  // Groups the pieces into static bodies of a metre each: MuJoCo 2 tests all pairs of geoms of two
-  // nearby bodies, and the world body is near everything.
-  std::map<int, std::string> slabs;
+          Numbers({0, 0, terrain.floor()}) + "\" material=\"floor\"" +
+          FloorColour(terrain.floor_colour()) + Contact(friction) + "/>\n";
+  // Groups the pieces into static bodies: MuJoCo 2 tests all pairs of geoms of two nearby bodies,
+  // and the world body is near everything.
+  std::map<std::pair<int, int>, std::string> bodies;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    slabs[static_cast<int>(std::floor(pieces[i].x))] += Geom(pieces[i], i, terrain.floor());
+    const std::string geom = Geom(pieces[i], i, terrain.floor());
+    (pieces[i].solid ? bodies[CellOf(pieces[i])] : text) += geom;
   }
-  for (const auto& [x, geoms] : slabs) text += "    <body>\n" + geoms + "    </body>\n";
+  for (const auto& [cell, geoms] : bodies) text += "    <body>\n" + geoms + "    </body>\n";
   return text + "  </worldbody>\n</mujoco>\n";
 }
 

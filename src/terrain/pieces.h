@@ -8,18 +8,20 @@
 
 namespace understudy::terrain {
 
-enum class PieceShape { kBox, kCylinder, kHeights };
+enum class PieceShape { kBox, kCylinder, kHeights, kSheet };
 
-// A block or height field, given by its top surface, in the world frame.
+// A block, a height field or a sheet, given by its top surface, in the world frame.
 struct TerrainPiece {
   PieceShape shape = PieceShape::kBox;
   double x = 0, y = 0, top = 0;                    // m, centre of the top
   double half_x = 0, half_y = 0;                   // m; half_x is the radius of a cylinder
   std::optional<double> thickness = std::nullopt;  // m; nullopt: down to the floor
   double pitch = 0;  // rad about y, for a box with a thickness; positive descends
-  double yaw = 0;    // rad about z
+  double yaw = 0;    // rad about z, after the pitch
   double friction = 0;
-  std::size_t heights = 0;  // index in TerrainPieces::heights, of kHeights
+  std::size_t heights = 0;       // index in TerrainPieces::heights, of kHeights
+  const char* colour = nullptr;  // red, green, blue, opacity from 0 to 1; null: one of the ground's
+  bool solid = true;             // else it is seen, and nothing touches it
 };
 
 // Heights on a grid over a rectangle, including its edges: rows from -y to +y, each from -x to +x.
@@ -37,6 +39,8 @@ class TerrainPieces {
   // Adds a height field over the rectangle around (x, y); flat ground if all heights are equal.
   void AddHeights(double x, double y, double half_x, double half_y, double friction,
                   HeightGrid grid);
+  // Gives the floor a colour, as that of a piece.
+  void PaintFloor(const char* colour) { floor_colour_ = colour; }
   // Lowers the floor to z if it is higher.
   void Lower(double z);
 
@@ -44,11 +48,13 @@ class TerrainPieces {
   std::vector<TerrainPiece> Pieces() const;
   const std::vector<HeightGrid>& heights() const { return heights_; }
   double floor() const { return floor_; }
+  const char* floor_colour() const { return floor_colour_; }  // null: as in models/scene/flat.xml
 
  private:
   std::vector<TerrainPiece> pieces_;
   std::vector<HeightGrid> heights_;
   double floor_ = 0;
+  const char* floor_colour_ = nullptr;
 };
 
 // The least distance [m] above the floor of what must not touch it too, as a height field;

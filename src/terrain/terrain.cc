@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "terrain/file.h"
 #include "terrain/kinds.h"
+#include "terrain/places.h"
 
 namespace understudy::terrain {
 namespace {
@@ -79,6 +80,15 @@ TerrainPieces Build(const std::vector<TerrainPatch>& patches, const TerrainSpec&
   return pieces;
 }
 
+TerrainPieces Furnish(const PlaceKind& place, const TerrainSpec& spec) {
+  TerrainPieces pieces;
+  pieces.PaintFloor(place.floor_colour);
+  place.add(
+      {.clutter = spec.difficulty, .friction = spec.friction, .seed = PatchSeed(spec.seed, 0)},
+      &pieces);
+  return pieces;
+}
+
 }  // namespace
 
 const std::vector<std::string>& TerrainKinds() {
@@ -90,13 +100,27 @@ const std::vector<std::string>& TerrainKinds() {
   return kNames;
 }
 
+const std::vector<std::string>& GeneratedScenes() {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names = TerrainKinds();
+    for (std::string& place : PlaceNames()) names.push_back(std::move(place));
+    names.emplace_back(kPatchesScene);
+    return names;
+  }();
+  return kNames;
+}
+
 bool IsTerrain(const std::string& scene) {
-  const std::vector<std::string>& kinds = TerrainKinds();
-  return scene == kPatchesScene || std::find(kinds.begin(), kinds.end(), scene) != kinds.end();
+  const std::vector<std::string>& scenes = GeneratedScenes();
+  return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
 }
 
 void WriteTerrain(const std::string& scene, const TerrainSpec& spec,
                   const std::filesystem::path& folder) {
+  if (const PlaceKind* const place = FindPlace(scene)) {
+    WriteTerrainFiles(Furnish(*place, spec), scene, spec.friction, folder);
+    return;
+  }
   std::vector<TerrainPatch> patches = spec.patches;
   if (scene != kPatchesScene) {
     patches.assign(1, {});

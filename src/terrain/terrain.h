@@ -8,7 +8,7 @@
 
 namespace understudy::terrain {
 
-// The scene that is a row of patches; every other word is a kind.
+// The scene that is a row of patches.
 inline constexpr char kPatchesScene[] = "row";
 
 // One patch of a row. Each field is a YAML key of the same name (config/terrain_keys.cc); a default
@@ -24,7 +24,7 @@ struct TerrainPatch {
 // The parameters of a ground. Each field is a YAML key of the same name; docs/reference/terrain.md
 // has the effect of difficulty on each kind.
 struct TerrainSpec {
-  double difficulty = 0.5;  // 0 nearly flat .. 1 the hardest
+  double difficulty = 0.5;  // 0 nearly flat .. 1 the hardest; of a place, how much stands about
   double friction = 0;      // of every contact with the ground; 0: the larger of 0.8 and the foot's
   std::array<double, 2> size = {8, 4};  // m: length of a patch along +x, width along y; assumed
   int seed = 1;                         // of the random parts
@@ -33,10 +33,13 @@ struct TerrainSpec {
   std::vector<TerrainPatch> patches;
 };
 
-// Returns the names of the kinds, in the order of the documentation.
+// Returns the names of the kinds of ground, in the order of the documentation.
 const std::vector<std::string>& TerrainKinds();
 
-// Returns whether `scene` is a kind or kPatchesScene.
+// Returns all that WriteTerrain makes: the kinds of ground, the places, and kPatchesScene.
+const std::vector<std::string>& GeneratedScenes();
+
+// Returns whether `scene` is one of them.
 bool IsTerrain(const std::string& scene);
 
 // Writes folder/scene.xml, plain MJCF, and two files per height field: terrain_N.hf, MuJoCo's
@@ -45,10 +48,12 @@ bool IsTerrain(const std::string& scene);
 //
 // A flat platform, 3 m long, with its top at z = 0 surrounds the world's origin. The patches follow
 // along +x, each beginning at the height at which the one before ends, then a last platform of 2 m.
-// Below is an endless floor.
+// Below is an endless floor. A place, such as an office, stands around the world's origin instead;
+// of the spec it takes difficulty, friction and seed.
 //
-// Throws ModelError if `scene` is neither a kind nor row, the row has no patch or more than 100, an
-// image is missing or invalid, more than 4000 pieces are needed, or the folder cannot be written.
+// Throws ModelError if `scene` is none of GeneratedScenes(), the row has no patch or more than 100,
+// an image is missing or invalid, more than 4000 pieces are needed, or the folder cannot be
+// written.
 void WriteTerrain(const std::string& scene, const TerrainSpec& spec,
                   const std::filesystem::path& folder);
 

@@ -48,6 +48,38 @@ TEST_F(MakeWorldTest, MakesTheSightModelOnceForAll) {
   EXPECT_EQ(sight->Get(), model);
 }
 
+// The model as somebody else's, and a foot that is not in it.
+config::Config ConfigOfAFootless(std::vector<std::string> sets) {
+  sets.insert(sets.end(),
+              {std::string("robot.model=") + UNDERSTUDY_SOURCE_DIR + "/models/go2/go2.xml",
+               "robot.feet={1: {name: tail, geoms: [none]}}"});
+  return ConfigOf(std::move(sets));
+}
+
+TEST_F(MakeWorldTest, RefusesToStandWhereTheModelLacksWhatTheMotionServiceNeeds) {
+  config::Config config = ConfigOfAFootless({"start.pose=standing"});
+  try {
+    MakePhysics(&config);
+    FAIL() << "took it";
+  } catch (const ModelError& error) {
+    EXPECT_THAT(
+        error.what(),
+        testing::AllOf(testing::HasSubstr("go2.xml: motion service mcf cannot move"),
+                       testing::HasSubstr("'tail'"), testing::HasSubstr("robot.feet.1.geoms"),
+                       testing::HasSubstr("--set motion.service=none")));
+  }
+}
+
+TEST_F(MakeWorldTest, WarnsOfAMotionServiceThatOnlyDamps) {
+  config::Config config = ConfigOfAFootless({"start.pose=lying"});
+  const auto only_damps = testing::Contains(
+      testing::Field(&Note::text, testing::AllOf(testing::HasSubstr("motion service mcf cannot"),
+                                                 testing::HasSubstr("it only damps"))));
+  EXPECT_THAT(NotesOf(&config), only_damps);
+  config::Config released = ConfigOfAFootless({"start.pose=standing", "motion.service=none"});
+  EXPECT_THAT(NotesOf(&released), testing::Not(only_damps));
+}
+
 TEST_F(MakeWorldTest, GivesEachRobotThePortsOfItsNumber) {
   config::Config config = ConfigOf();
   test::FakePort port;

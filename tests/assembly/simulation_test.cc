@@ -1,5 +1,6 @@
 #include "assembly/simulation.h"
 
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,7 @@
 #include "base/errors.h"
 #include "config/load.h"
 #include "tests/support/mujoco_test.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::assembly {
 namespace {
@@ -155,6 +157,23 @@ TEST_F(SimulationTest, EachOfSeveralRobotsHasDrawsOfItsOwnThatNameIt) {
     EXPECT_NE(drawn.at(of + ("go2_1/" + element)), drawn.at(of + ("go2_2/" + element))) << of;
   }
   EXPECT_EQ(simulation.config().robots[1].spec.dynamics.delay, drawn.at("delay go2_2/"));
+}
+
+TEST_F(SimulationTest, OneLikeAnotherIsItsTwinAndReadsNoModel) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path model = folder.path() / "go2";
+  std::filesystem::copy(std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "models/go2", model,
+                        std::filesystem::copy_options::recursive);
+  const config::Config config =
+      ConfigOf("go2", {"robot.model=" + (model / "go2.xml").string(), "sensors.seed=4"});
+  Simulation first(config);
+  std::filesystem::remove_all(model);
+  Simulation twin(first, {});
+  first.Step(200);
+  twin.Step(200);
+  EXPECT_EQ(first.world().robot(0).sampled().imu.f_WI_I,
+            twin.world().robot(0).sampled().imu.f_WI_I);
+  EXPECT_THROW(Simulation{config}, ModelError);
 }
 
 // Gives all that a robot of the seed told and did in 0.3 s.

@@ -1,5 +1,9 @@
 """Many robots side by side."""
 
+import resource
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -104,3 +108,18 @@ def test_mistakes_are_named():
         batch.begin([0], [-1])
     with pytest.raises(ValueError, match="whole number of steps"):
         batch.step(0.0005)
+
+
+SIZE = """
+import sys, understudy
+understudy.Batch("go2", int(sys.argv[1]), set={"start.pose": "standing"})
+print(open("/proc/self/statm").read().split()[1])
+"""
+
+
+def test_a_further_robot_takes_less_than_12_mb():
+    def pages(count):
+        return int(subprocess.run([sys.executable, "-c", SIZE, str(count)], check=True, capture_output=True, text=True).stdout)
+
+    megabytes = (pages(21) - pages(1)) * resource.getpagesize() / 1e6
+    assert megabytes < 20 * 12

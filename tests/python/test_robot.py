@@ -144,6 +144,16 @@ def test_configuration_comes_from_files_and_values(tmp_path):
     assert any("delay" in note for note in robot.world.notes)
 
 
+def test_states_keep_their_rate_at_a_time_step_that_was_drawn():
+    robot = understudy.Robot("go2", set={"randomization.timestep": [0.0005, 0.0005], "randomization.seed": 1})
+    assert robot.world.timestep == 0.0005
+    ticks = set()
+    for _ in range(40):
+        robot.step(0.0005)
+        ticks.add(robot.state.tick)
+    assert len(ticks) == 10  # 500 Hz in 20 ms
+
+
 def test_equal_seeds_give_equal_states_and_others_do_not():
     def states(seed):
         robot = understudy.Robot("go2", set=STANDS, seed=seed)

@@ -110,5 +110,22 @@ TEST(CoordinatorTest, ABusyLoopWithPriorityDoesNotKeepTimeForEver) {
   EXPECT_THAT(run.unrepeatable, HasSubstr("computes and does not wait"));
 }
 
+TEST(CoordinatorTest, AThreadThatComputesWhileItSaysThatItWaitsIsTold) {
+  const test::ClockedRun run =
+      test::RunOnClock({UNDERSTUDY_ODD_WAITS, "computes"},
+                       {.realtime = true, .most_computing = std::chrono::milliseconds(200)});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.unrepeatable, HasSubstr("computes and does not wait"));
+}
+
+// With it Linux may spin for ever in removing the child from /proc.
+TEST(CoordinatorTest, AChildIsReapedWithoutPriority) {
+  const test::ClockedRun run = Shell("export LD_PRELOAD=$LD_PRELOAD:" UNDERSTUDY_REAP_SPY
+                                     "; exec " UNDERSTUDY_ODD_WAITS " reaps",
+                                     {.realtime = true});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.printed, "reaped\nreaped\nreaped\n");
+}
+
 }  // namespace
 }  // namespace understudy::simclock

@@ -3,6 +3,7 @@
 #include <array>
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -13,8 +14,29 @@
 
 namespace understudy::test {
 
+namespace {
+
+// Gives this thread its cores and priority back, which a clock takes: the next one needs them.
+class KeptThread {
+ public:
+  KeptThread() { ::sched_getaffinity(0, sizeof(cores_), &cores_); }
+  ~KeptThread() {
+    const sched_param usual{};
+    ::sched_setscheduler(0, SCHED_OTHER, &usual);
+    ::sched_setaffinity(0, sizeof(cores_), &cores_);
+  }
+  KeptThread(const KeptThread&) = delete;
+  KeptThread& operator=(const KeptThread&) = delete;
+
+ private:
+  cpu_set_t cores_{};
+};
+
+}  // namespace
+
 ClockedRun RunOnClock(const std::vector<std::string>& command, const ClockedOptions& options) {
   using std::chrono::steady_clock;
+  const KeptThread kept;
   const UniqueFd file = simclock::MakePage(options.think);
   simclock::Page* const page = simclock::MapPage(file.get());
   page->robot = 0;  // this process has no part in it

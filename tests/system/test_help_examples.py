@@ -61,7 +61,7 @@ def test_every_example_of_the_doctor_works(desk):
 
 
 def ctl_examples():
-    """All but that which stops the robot, each once: a group's is one of its requests'."""
+    """All but the one that stops the robot, each once: a group's is one of its requests'."""
     lines = [line for verb in verbs() if verb[0] == "ctl" and verb != ("ctl", "stop") for line in examples_of(*verb)]
     return list(dict.fromkeys(lines))
 

@@ -4,6 +4,7 @@ import json
 import pathlib
 import re
 import struct
+from xml.etree import ElementTree
 
 import pytest
 from urdf_parser_py.urdf import URDF
@@ -100,12 +101,22 @@ def test_joints_by_other_usual_names_are_found(understudy):
     assert understudy("rehearse", "mydog/starts.yaml", "--out", "starts").returncode == 0
 
 
+def test_wheels_that_are_called_feet_are_found(understudy):
+    with_joints_renamed(export(understudy, "go2w"), {"wheel": "foot"})
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2w")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert re.search(r"FR_wheel_joint +12 +FR_foot_joint\n", made.stdout)
+
+
 def test_a_motor_without_a_joint_is_told_with_the_nearest_names_and_the_line_to_change(understudy):
     with_joints_renamed(export(understudy, "go2"), {"FR_calf_joint": "FR_shin_joint"})
     made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
     assert made.returncode == 3
     assert re.search(r"FR_calf_joint +2 +MISSING; perhaps FR_shin_joint\n", made.stdout)
     assert "no motor drives joint 'FR_shin_joint'" in made.stdout
+    assert "a run leaves out those that the robot does not have" in made.stdout
+    ran = understudy("run", "mydog/mydog.yaml", "--start", "clamped", "--speed", "max", "--duration", "0.5")
+    assert ran.returncode == 0 and "slot 2 has no motor" in ran.stderr, ran.stderr
 
     yaml = pathlib.Path("mydog/mydog.yaml")
     line = next(line for line in yaml.read_text().splitlines() if "MISSING" in line)
@@ -148,6 +159,82 @@ def test_a_base_that_is_fixed_to_the_world_stays_where_it_is(understudy):
     assert made.returncode == 0, made.stdout + made.stderr
     ran = understudy("run", "mydog/mydog.yaml", "--speed", "max", "--duration", "1")
     assert ran.returncode == 0, ran.stderr
+
+
+def put_on(urdf, links):
+    """Puts empty links on others, {name: what it is fixed to}, in this order."""
+    text = "".join(f'<link name="{name}"/><joint name="{name}_joint" type="fixed"><parent link="{parent}"/>'
+                   f'<child link="{name}"/></joint>' for name, parent in links.items())
+    urdf.write_text(urdf.read_text().replace("</robot>", text + "</robot>"))
+
+
+def sites(model):
+    """{name of a site: its body} of a file of MJCF."""
+    root = ElementTree.parse(model).getroot()
+    return {site.get("name"): body.get("name") for body in root.iter("body") for site in body.findall("site")}
+
+
+def test_inertial_units_are_where_links_have_their_names(understudy):
+    put_on(export(understudy, "g1"), {"imu_in_torso": "torso_link", "imu_in_pelvis": "pelvis"})
+    made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "g1")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert "inertial unit at the origin of imu_in_pelvis, a second one of imu_in_torso" in made.stdout
+    assert sites("mine/mine.xml") == {"imu": "imu_in_pelvis", "secondary_imu": "imu_in_torso"}
+    assert 'secondary_site: secondary_imu}' in pathlib.Path("mine/mine.yaml").read_text()
+    assert understudy("check", "mine/mine.yaml").returncode == 0
+
+
+def test_the_only_inertial_unit_is_the_main_one_wherever_it_is(understudy):
+    put_on(export(understudy, "g1"), {"IMU-link": "torso_link"})
+    made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "g1")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert sites("mine/mine.xml") == {"imu": "IMU-link"}
+    assert 'secondary_site: ""}' in pathlib.Path("mine/mine.yaml").read_text()
+
+
+def test_it_hangs_by_the_link_by_which_the_other_hangs(understudy):
+    urdf = export(understudy, "h2")
+    assert understudy("new", "mine", "--urdf", "my.urdf", "--like", "h2").returncode == 0
+    assert "crane_body: torso_link" in pathlib.Path("mine/mine.yaml").read_text()
+    rehearsed = understudy("rehearse", "mine/starts.yaml", "--out", "starts")
+    assert rehearsed.returncode == 0, rehearsed.stdout + rehearsed.stderr
+    urdf.write_text(urdf.read_text().replace("torso_link", "chest"))
+    assert understudy("new", "other", "--urdf", "my.urdf", "--like", "h2").returncode == 0
+    assert "crane_body: pelvis  # from which it hangs: it has no torso_link" in (
+        pathlib.Path("other/other.yaml").read_text())
+
+
+def test_a_link_whose_looks_are_missing_looks_as_it_collides(understudy):
+    urdf = export(understudy, "go2")
+    body = urdf.read_text().split('<link name="FR_calf">')[1].split("</link>")[0]
+    visuals = "".join(re.findall(r"<visual>.*?</visual>", body, re.DOTALL))
+    bare = re.sub(r"<visual>.*?</visual>", "", body, flags=re.DOTALL)
+    absent = '<visual><geometry><mesh filename="calf.stl"/></geometry></visual>'
+    assert visuals and "<collision>" in bare
+    urdf.write_text(urdf.read_text().replace(body, absent + bare))
+    assert understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2").returncode == 0
+
+    def geoms(link):
+        root = ElementTree.parse("mydog/mydog.xml").getroot()
+        [found] = [body for body in root.iter("body") if body.get("name") == link]
+        return [[{key: value for key, value in geom.items() if key not in ("name", "class")}
+                 for geom in found.findall("geom") if geom.get("class") == kind] for kind in ("visual", "collision")]
+
+    looks, collides = geoms("FR_calf")
+    assert looks == collides != []
+    looks, collides = geoms("FL_calf")
+    assert looks != collides
+
+
+def test_an_inertia_that_no_body_has_is_repaired_and_told_of_its_link(understudy):
+    urdf = export(understudy, "go2")
+    head, tail = urdf.read_text().split('<link name="FR_calf">')
+    urdf.write_text(head + '<link name="FR_calf">' + re.sub(r'ixx="[^"]*"', 'ixx="-1"', tail, count=1))
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert made.stdout.count("note: link 'FR_calf': no body has its principal moments of inertia, -1 ") == 1
+    rehearsed = understudy("rehearse", "mydog/starts.yaml", "--out", "starts")
+    assert rehearsed.returncode == 0, rehearsed.stdout + rehearsed.stderr
 
 
 def test_every_foot_feels_the_ground(understudy, play):

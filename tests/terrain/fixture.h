@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <type_traits>
 
@@ -31,6 +33,13 @@ mjtNum CastRay(Cast cast, const mjModel* model, const mjData* data, const mjtNum
   } else {
     return cast(model, data, from, along, nullptr, 1, -1, &geom, nullptr);
   }
+}
+
+inline std::string Bytes(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return bytes.str();
 }
 
 class TerrainTest : public test::MujocoTest {

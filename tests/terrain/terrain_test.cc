@@ -4,7 +4,6 @@
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <vector>
 
 #include <mujoco/mujoco.h>
@@ -15,13 +14,6 @@ namespace understudy::terrain {
 namespace {
 
 using testing::HasSubstr;
-
-std::string Bytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return bytes.str();
-}
 
 // All files of a folder by name.
 std::map<std::string, std::string> Files(const std::filesystem::path& folder) {

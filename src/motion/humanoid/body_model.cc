@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "mjcf/eigen_views.h"
+#include "physics/feet.h"
 
 namespace understudy::motion {
 
@@ -106,7 +107,8 @@ BodyModel::BodyModel(const mjModel& model, const robot::RobotSpec& spec)
     mju_unit4(base + 3);
   }
   mj_kinematics(&model_, data_.get());
-  for (std::size_t i = 0; i < feet_.size(); ++i) FindSole(spec, i);
+  const std::vector<std::vector<int>> geoms = physics::FootGeoms(model_, *data_, spec);
+  for (std::size_t i = 0; i < feet_.size(); ++i) FindSole(geoms[i], spec.feet[i].name, i);
   FindInertia();
   bones_.ngeom = 0;
   const std::vector<double> zero(spec.motors.size());
@@ -117,17 +119,16 @@ BodyModel::BodyModel(const mjModel& model, const robot::RobotSpec& spec)
   Update(zero, zero, upright);
 }
 
-void BodyModel::FindSole(const robot::RobotSpec& spec, std::size_t foot) {
+void BodyModel::FindSole(std::span<const int> geoms, const std::string& name, std::size_t foot) {
   SoleExtent extent;
   Foot& f = feet_[foot];
-  for (const std::string& name : spec.feet[foot].geoms) {
-    const int geom = mj_name2id(&model_, mjOBJ_GEOM, name.c_str());
-    if (geom < 0) continue;
+  for (const int geom : geoms) {
     f.body = model_.geom_bodyid[geom];
     AddGeom(model_, *data_, geom, &extent);
   }
   if (extent.empty()) {
-    throw ModelError(spec.name + ": foot '" + spec.feet[foot].name + "' has no geoms in the model");
+    throw ModelError("foot '" + name + "' has no geoms: name them in robot.feet." +
+                     std::to_string(foot) + ".geoms");
   }
   const mjcf::RotationView R(data_->xmat + 9 * f.body);
   f.centre = R.transpose() * (extent.centre() - Vector(data_->xpos + 3 * f.body));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include <mujoco/mujoco.h>
@@ -28,7 +29,7 @@ class BodyModel {
  public:
   // `model` is that of LoadWorldModel with the same spec and must outlive the body model. Soles
   // must be flat at joint angles 0, as for all humanoids here. Throws ModelError if the spec has no
-  // feet or one has no geoms in the model.
+  // feet or the model no geoms for one (physics::FootGeoms).
   BodyModel(const mjModel& model, const robot::RobotSpec& spec);
 
   // Takes angles [rad] and rates [rad/s] in motor order and LowState's IMU, all of one instant. The
@@ -87,7 +88,7 @@ class BodyModel {
     Eigen::Vector3d axis{0, 0, 0}, anchor{0, 0, 0};  // in base axes, from the base
   };
   void ReadPlaces();
-  void FindSole(const robot::RobotSpec& spec, std::size_t foot);
+  void FindSole(std::span<const int> geoms, const std::string& name, std::size_t foot);
   void FindInertia();
   bool IsBelow(int body, int ancestor) const;
 

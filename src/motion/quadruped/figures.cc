@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <string>
 
 #include <mujoco/mujoco.h>
 
 #include "base/errors.h"
 #include "mjcf/eigen_views.h"
+#include "physics/feet.h"
+#include "physics/geom_extent.h"
 
 namespace understudy::motion {
 
@@ -125,6 +128,26 @@ int Hinge(const mjModel& model, const std::string& name, const Eigen::Vector3d& 
   return joint;
 }
 
+// `foot` are its geoms, of which the lowest treads.
+void ReadFoot(const mjModel& model, const mjData& data, std::span<const int> foot, int calf,
+              bool wheeled, LegFigures* figures) {
+  const auto bottom = [&](int geom) { return physics::LowestPoint(model, data, geom); };
+  const int geom = *std::ranges::min_element(foot, {}, bottom);
+  figures->foot =
+      InAncestor(model, model.geom_bodyid[geom], calf, Vector(model.geom_pos + 3 * geom));
+  figures->radius = model.geom_size[3 * geom];
+  switch (model.geom_type[geom]) {
+    case mjGEOM_SPHERE:
+      return;
+    case mjGEOM_CYLINDER:
+      figures->half_width = model.geom_size[3 * geom + 1];
+      return;
+    default:  // a mesh, of which only a tyre is as wide below as in its middle
+      figures->radius = data.geom_xpos[3 * geom + 2] - bottom(geom);
+      if (wheeled) figures->half_width = physics::Reach(model, geom, data.geom_xmat + 9 * geom + 3);
+  }
+}
+
 LegFigures ReadLeg(const mjModel& model, const robot::RobotSpec& spec, std::size_t leg, int base) {
   LegFigures figures;
   std::array<int, 3> bodies{};
@@ -153,16 +176,6 @@ LegFigures ReadLeg(const mjModel& model, const robot::RobotSpec& spec, std::size
   figures.hip = origin(bodies[0], base);
   figures.thigh = origin(bodies[1], bodies[0]);
   figures.calf = origin(bodies[2], bodies[1]);
-  const std::string foot = spec.feet[leg].geoms.empty() ? "" : spec.feet[leg].geoms.front();
-  const int geom = mj_name2id(&model, mjOBJ_GEOM, foot.c_str());
-  if (geom < 0 || !HangsOn(model, model.geom_bodyid[geom], bodies[2])) {
-    throw ModelError("geom '" + foot + "': the motion service expects a foot on " +
-                     spec.motors[3 * leg + 2].joint);
-  }
-  figures.foot =
-      InAncestor(model, model.geom_bodyid[geom], bodies[2], Vector(model.geom_pos + 3 * geom));
-  figures.radius = model.geom_size[3 * geom];
-  if (model.geom_type[geom] == mjGEOM_CYLINDER) figures.half_width = model.geom_size[3 * geom + 1];
   figures.links = {Lump(model, bodies[0], std::array{bodies[1]}),
                    Lump(model, bodies[1], std::array{bodies[2]}),
                    Lump(model, bodies[2], std::array<int, 0>{})};
@@ -185,11 +198,23 @@ QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot) {
   const mjModel& model = robot.nominal();
   const int base = mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str());
   QuadrupedFigures figures;
+  const mjcf::DataHandle data = mjcf::MakeDataWithoutContacts(model);
+  mj_kinematics(&model, data.get());
+  const std::vector<std::vector<int>> feet = physics::FootGeoms(model, *data, spec);
+  const auto body_of = [&](std::size_t motor) {
+    return model.jnt_bodyid[mj_name2id(&model, mjOBJ_JOINT, spec.motors[motor].joint.c_str())];
+  };
   std::array<int, kLegs> hips{};
   for (std::size_t leg = 0; leg < kLegs; ++leg) {
     figures.legs[leg] = ReadLeg(model, spec, leg, base);
-    const int joint = mj_name2id(&model, mjOBJ_JOINT, spec.motors[3 * leg].joint.c_str());
-    hips[leg] = model.jnt_bodyid[joint];
+    hips[leg] = body_of(3 * leg);
+    const int calf = body_of(3 * leg + 2);
+    if (feet[leg].empty() || !HangsOn(model, model.geom_bodyid[feet[leg].front()], calf)) {
+      throw ModelError("foot '" + spec.feet[leg].name + "' has no geoms on the calf of '" +
+                       spec.motors[3 * leg + 2].joint + "': name them in robot.feet." +
+                       std::to_string(leg) + ".geoms");
+    }
+    ReadFoot(model, *data, feet[leg], calf, wheeled, &figures.legs[leg]);
   }
   figures.trunk = Lump(model, base, hips);
   figures.trunk_shapes = TrunkShapes(model, base, hips);

@@ -138,10 +138,19 @@ void AdoptCore() {
   CPU_ZERO(&set);
   CPU_SET(static_cast<std::size_t>(page->core), &set);
   REAL(sched_setaffinity)(0, sizeof(set), &set);
-  if (page->fifo == 0) return;
-  const sched_param above{.sched_priority = kAboveCoordinator};
   // Without the right the coordinator has to look who sleeps.
-  if (REAL(sched_setscheduler)(0, SCHED_FIFO, &above) != 0) page->fifo = 0;
+  if (!TakePriority()) page->fifo = 0;
+}
+
+bool TakePriority() {
+  if (page->fifo == 0) return true;
+  const sched_param above{.sched_priority = kAboveCoordinator};
+  return REAL(sched_setscheduler)(0, SCHED_FIFO, &above) == 0;
+}
+
+void LeavePriority() {
+  const sched_param usual{};
+  REAL(sched_setscheduler)(0, SCHED_OTHER, &usual);
 }
 
 Slot* Waiter() {

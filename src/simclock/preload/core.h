@@ -47,6 +47,8 @@ void FreeSlot(Slot* slot);  // null: does nothing
 void LeaveClock();          // this thread lives on real time from now on
 void Adopt(Slot* slot);     // of this thread from now on
 void AdoptCore();           // runs this thread as the page wants it
+bool TakePriority();        // of this thread, if the page wants it; false: it has no right to
+void LeavePriority();       // until it takes it again
 std::int32_t ThreadId();
 
 // Says that this thread waits, and no longer.

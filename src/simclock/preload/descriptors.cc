@@ -1,4 +1,4 @@
-// Waiting for descriptors and children.
+// Waiting for descriptors.
 #include "simclock/preload/descriptors.h"
 
 #include <csignal>
@@ -6,10 +6,8 @@
 
 #include <fcntl.h>
 #include <sys/epoll.h>
-#include <sys/resource.h>
 #include <sys/select.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "simclock/preload/core.h"
@@ -236,21 +234,4 @@ SIMCLOCK_EXPORT int close_range(unsigned from, unsigned to, int flags) noexcept 
 }
 SIMCLOCK_EXPORT void closefrom(int from) noexcept {
   close_range(static_cast<unsigned>(from), ~0U, 0);
-}
-
-SIMCLOCK_EXPORT pid_t waitpid(pid_t pid, int* status, int options) {
-  if ((options & WNOHANG) != 0 || !Waits()) return REAL(waitpid)(pid, status, options);
-  return WaitIn("waitpid", [&] { return REAL(waitpid)(pid, status, options); });
-}
-SIMCLOCK_EXPORT pid_t wait(int* status) { return waitpid(-1, status, 0); }
-SIMCLOCK_EXPORT pid_t wait4(pid_t pid, int* status, int options, rusage* usage) noexcept {
-  if ((options & WNOHANG) != 0 || !Waits()) return REAL(wait4)(pid, status, options, usage);
-  return WaitIn("waitpid", [&] { return REAL(wait4)(pid, status, options, usage); });
-}
-SIMCLOCK_EXPORT pid_t wait3(int* status, int options, rusage* usage) noexcept {
-  return wait4(-1, status, options, usage);
-}
-SIMCLOCK_EXPORT int waitid(idtype_t type, id_t id, siginfo_t* info, int options) {
-  if ((options & WNOHANG) != 0 || !Waits()) return REAL(waitid)(type, id, info, options);
-  return WaitIn("waitpid", [&] { return REAL(waitid)(type, id, info, options); });
 }

@@ -158,6 +158,18 @@ TEST_P(BodyModelTest, FindsSolesOfTheSizeOfAFoot) {
   }
 }
 
+TEST_P(BodyModelTest, FindsSolesThatTheModelDoesNotName) {
+  robot::RobotSpec spec = spec_;
+  for (robot::FootSpec& foot : spec.feet) foot.geoms = {"none"};
+  const BodyModel found(world_.model(), spec);
+  const BodyModel named(world_.model(), spec_);
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    EXPECT_EQ(found.soles()[foot].half_length, named.soles()[foot].half_length);
+    EXPECT_EQ(found.soles()[foot].half_width, named.soles()[foot].half_width);
+    EXPECT_EQ(found.soles()[foot].p_OS, named.soles()[foot].p_OS);
+  }
+}
+
 // Fingers hang from the wrists as they are, which the model takes to be stretched.
 INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest, testing::ValuesIn(test::HumanoidsWithoutHands()),
                          [](const auto& test) { return test.param; });
@@ -167,7 +179,7 @@ using BodyModelMisuseTest = test::MujocoTest;
 TEST_F(BodyModelMisuseTest, RefusesAFootWithoutGeoms) {
   const physics::World world = PhysicsOf(ConfigOf("g1"));
   robot::RobotSpec spec = world.robot().spec();
-  spec.feet[1].geoms = {"none"};
+  spec.feet[1] = {.name = "tail", .geoms = {"none"}};
   EXPECT_THROW(BodyModel(world.model(), spec), ModelError);
   spec.feet.clear();
   EXPECT_THROW(BodyModel(world.model(), spec), ModelError);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include "base/errors.h"
 #include "motion/quadruped/body.h"
 #include "tests/motion/rig.h"
 #include "tests/support/robots.h"
@@ -155,6 +156,38 @@ TEST_P(QuadrupedLegTest, KnowsItselfAsItWasBuilt) {
                              mjcf::CopyOf(world_.model()));
   EXPECT_EQ(ReadQuadruped(world.robot()).mass, figures_.mass);
   EXPECT_EQ(ReadQuadruped(world.robot()).trunk.mass, figures_.trunk.mass);
+}
+
+TEST_P(QuadrupedLegTest, FindsFeetThatTheModelDoesNotName) {
+  robot::RobotSpec spec = config_.robots[0].spec;
+  for (robot::FootSpec& foot : spec.feet) foot.geoms = {"none"};
+  const physics::World world(mjcf::CopyOf(world_.model()), {{spec}});
+  const QuadrupedFigures found = ReadQuadruped(world.robot());
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    EXPECT_EQ(found.legs[leg].foot, figures_.legs[leg].foot) << leg;
+    EXPECT_EQ(found.legs[leg].radius, figures_.legs[leg].radius) << leg;
+    EXPECT_EQ(found.legs[leg].half_width, figures_.legs[leg].half_width) << leg;
+  }
+}
+
+TEST_P(QuadrupedLegTest, MeasuresAFootThatIsNoBall) {
+  const robot::RobotSpec& spec = config_.robots[0].spec;
+  mjcf::ModelHandle model = mjcf::CopyOf(world_.model());
+  const int geom = mj_name2id(model.get(), mjOBJ_GEOM, spec.feet[2].geoms[0].c_str());
+  model->geom_type[geom] = mjGEOM_ELLIPSOID;
+  mju_unit4(model->geom_quat + 4 * geom);
+  std::ranges::copy(std::array{0.01, 0.02, 0.03}, model->geom_size + 3 * geom);
+  const physics::World world(std::move(model), {{spec}});
+  const LegFigures leg = ReadQuadruped(world.robot()).legs[2];
+  EXPECT_NEAR(leg.radius, 0.03, 1e-9);
+  EXPECT_NEAR(leg.half_width, spec.kind == robot::RobotKind::kWheeled ? 0.02 : 0, 1e-9);
+}
+
+TEST_P(QuadrupedLegTest, RefusesALegWithoutAFoot) {
+  robot::RobotSpec spec = config_.robots[0].spec;
+  spec.feet[1] = {.name = "tail", .geoms = {"none"}};
+  const physics::World world(mjcf::CopyOf(world_.model()), {{spec}});
+  EXPECT_THROW(ReadQuadruped(world.robot()), ModelError);
 }
 
 TEST_P(QuadrupedLegTest, WeighsWhatTheModelWeighs) {

@@ -1,0 +1,28 @@
+// Reads meshes of COLLADA (.dae), which many URDFs have and MuJoCo does not read.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace understudy::mjcf {
+
+// The triangles of one colour.
+struct DaePart {
+  std::optional<std::array<double, 4>> rgba;  // 0 to 1; nullopt: the file gives them none
+  std::vector<float> corners;                 // m, nine numbers a triangle; see Stl
+};
+
+// Reads the visual scene of a file: triangles, polylists and polygons of its geometries where its
+// nodes put them, in the unit of length that it names. What it says of the axis that is up is not
+// heeded, as ROS does not: many exporters always name y.
+// Colours are the diffuse ones of its materials; textures are not read. Lines, cameras and lights
+// are passed over.
+//
+// Throws ModelError, with the file and where known the line, for what is no COLLADA, has no
+// triangles or other shapes than those, names what is not there, or is too large: 64 MiB, 4 million
+// triangles, 50 levels of nodes, 100000 nodes.
+std::vector<DaePart> ReadDae(const std::filesystem::path& file);
+
+}  // namespace understudy::mjcf

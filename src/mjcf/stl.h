@@ -1,0 +1,13 @@
+// Writes binary STL.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace understudy::mjcf {
+
+// Returns a solid of triangles, nine numbers [m] each: three corners, counterclockwise from
+// outside. It has no normals: readers compute them.
+std::string Stl(std::span<const float> corners);
+
+}  // namespace understudy::mjcf

@@ -1,0 +1,107 @@
+"""The vendor's own models that describe a robot of a kind that is here, and what becomes of each.
+
+Paths are of unitree_ros (d6f13aa) and unitree_mujoco (c598f10). `like` is the robot of which it is a model; `ends` is
+what is proven of it. A part of a robot (hands alone) and scenes without one are not listed.
+"""
+
+STANDS, HANGS, FALLS = "stands", "hangs", "falls"
+
+G1, H1, H1_2 = "g1_description", "h1_description", "h1_2_description"
+LOCKED = ("2 of 29 motors have no joint", HANGS)  # the waist's
+
+# file of unitree_ros/robots, like, ends: `new`, then its starts.yaml; or what is said where `new` ends with 3 or 4; or
+# both, where motors are missing that a run leaves out.
+URDFS = [
+    ("a1_description/urdf/a1.urdf", "go2", STANDS),
+    ("go1_description/urdf/go1.urdf", "go2", STANDS),
+    ("go2_description/urdf/go2_description.urdf", "go2", STANDS),
+    ("go2w_description/urdf/go2w_description.urdf", "go2w", STANDS),
+    ("aliengo_description/urdf/aliengo.urdf", "a2", STANDS),
+    ("laikago_description/urdf/laikago.urdf", "a2", STANDS),
+    ("b1_description/xacro/b1.urdf", "b2", STANDS),
+    ("b2_description/urdf/b2_description.urdf", "b2", STANDS),
+    ("b2_description_mujoco/xml/b2_description.urdf", "b2", STANDS),
+    ("b2w_description/urdf/b2w_description.urdf", "b2w", STANDS),
+    ("a2_description/urdf/a2.urdf", "a2", STANDS),
+    ("as2_description/urdf/as2.urdf", "a2", STANDS),
+    ("g1_d_description/g1_d.urdf", "g1", "15 of 29 motors have no joint"),
+    (f"{G1}/g1_23dof.urdf", "g1_23dof", HANGS),
+    (f"{G1}/g1_23dof_mode_10.urdf", "g1_23dof", HANGS),
+    (f"{G1}/g1_23dof_rev_1_0.urdf", "g1_23dof", HANGS),
+    (f"{G1}/g1_29dof.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_lock_waist.urdf", "g1", LOCKED),
+    (f"{G1}/g1_29dof_lock_waist_rev_1_0.urdf", "g1", LOCKED),
+    (f"{G1}/g1_29dof_lock_waist_with_hand_rev_1_0.urdf", "g1", LOCKED),
+    (f"{G1}/g1_29dof_mode_11.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_mode_12.urdf", "g1", LOCKED),
+    (f"{G1}/g1_29dof_mode_13.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_mode_14.urdf", "g1", LOCKED),
+    (f"{G1}/g1_29dof_mode_15.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_mode_15_with_dex1_1.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_mode_16.urdf", "g1", LOCKED),
+    (f"{G1}/g1_29dof_rev_1_0.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_rev_1_0_with_inspire_hand_DFQ.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_rev_1_0_with_inspire_hand_FTP.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_with_hand.urdf", "g1", HANGS),
+    (f"{G1}/g1_29dof_with_hand_rev_1_0.urdf", "g1", HANGS),
+    (f"{G1}/g1_comp.urdf", "g1_23dof", HANGS),
+    (f"{G1}/g1_dual_arm.urdf", "g1", "15 of 29 motors have no joint"),
+    ("g1_with_brainco_hand/g1_29dof_mode_15_brainco_hand.urdf", "g1", HANGS),
+    (f"{H1_2}/h1_2.urdf", "h1_2", HANGS),
+    (f"{H1_2}/h1_2_handless.urdf", "h1_2", HANGS),
+    (f"{H1_2}/h1_2_with_FTP_hand.urdf", "h1_2", HANGS),
+    (f"{H1}/urdf/h1.urdf", "h1", HANGS),
+    (f"{H1}/urdf/h1_with_hand.urdf", "h1", HANGS),
+    ("h2_description/H2.urdf", "h2", HANGS),
+    ("h2_description/H2_dae.urdf", "h2", HANGS),
+    ("h2_plus/H2_Plus.urdf", "h2", HANGS),
+    ("r1_air_description/R1_AIR.urdf", "r1", ("6 of 26 motors have no joint", HANGS)),
+    ("r1_description/R1.urdf", "r1", HANGS),
+]
+
+# file, robot, ends: with `--model` and from standing; or what is said where the run ends with 4.
+ROS, MUJOCO = "unitree_ros/robots", "unitree_mujoco/unitree_robots"
+MJCFS = [
+    (f"{ROS}/a2_description/a2.xml", "a2", STANDS),
+    (f"{ROS}/as2_description/as2.xml", "a2", STANDS),
+    (f"{ROS}/b2_description_mujoco/xml/b2.xml", "b2", STANDS),
+    (f"{ROS}/b2_description_mujoco/xml/scene.xml", "b2", STANDS),
+    (f"{ROS}/{G1}/g1_23dof.xml", "g1_23dof", STANDS),
+    (f"{ROS}/{G1}/g1_23dof_rev_1_0.xml", "g1_23dof", STANDS),
+    (f"{ROS}/{G1}/g1_29dof.xml", "g1", STANDS),
+    (f"{ROS}/{G1}/g1_29dof_lock_waist.xml", "g1", STANDS),
+    (f"{ROS}/{G1}/g1_29dof_lock_waist_rev_1_0.xml", "g1", STANDS),
+    (f"{ROS}/{G1}/g1_29dof_lock_waist_with_hand_rev_1_0.xml", "g1", STANDS),
+    (f"{ROS}/{G1}/g1_29dof_rev_1_0.xml", "g1", STANDS),
+    (f"{ROS}/{G1}/g1_29dof_with_hand.xml", "g1", STANDS),
+    (f"{ROS}/{G1}/g1_29dof_with_hand_rev_1_0.xml", "g1", STANDS),
+    (f"{ROS}/{G1}/g1_dual_arm.xml", "g1", "no base body 'pelvis'"),
+    (f"{ROS}/{H1_2}/h1_2.xml", "h1_2", STANDS),
+    (f"{ROS}/{H1_2}/h1_2_handless.xml", "h1_2", FALLS),
+    (f"{ROS}/{H1}/mjcf/h1.xml", "h1", STANDS),
+    (f"{ROS}/{H1}/mjcf/h1_with_hand.xml", "h1", STANDS),
+    (f"{ROS}/{H1}/mjcf/scene.xml", "h1", STANDS),
+    (f"{MUJOCO}/a2/a2.xml", "a2", STANDS),
+    (f"{MUJOCO}/a2/scene_terrain.xml", "a2", STANDS),
+    (f"{MUJOCO}/a2/qrc_map_sloped.xml", "a2", STANDS),
+    (f"{MUJOCO}/a2/qrc_map_flat.xml", "a2", "no file"),
+    (f"{MUJOCO}/b2/b2.xml", "b2", STANDS),
+    (f"{MUJOCO}/b2/scene.xml", "b2", STANDS),
+    (f"{MUJOCO}/b2w/b2w.xml", "b2w", STANDS),
+    (f"{MUJOCO}/b2w/scene.xml", "b2w", STANDS),
+    (f"{MUJOCO}/g1/g1_23dof.xml", "g1_23dof", STANDS),
+    (f"{MUJOCO}/g1/scene_23dof.xml", "g1_23dof", STANDS),
+    (f"{MUJOCO}/g1/g1_29dof.xml", "g1", STANDS),
+    (f"{MUJOCO}/g1/scene_29dof.xml", "g1", STANDS),
+    (f"{MUJOCO}/g1/scene.xml", "g1", STANDS),
+    (f"{MUJOCO}/go2/go2.xml", "go2", STANDS),
+    (f"{MUJOCO}/go2/scene.xml", "go2", STANDS),
+    (f"{MUJOCO}/go2w/go2w.xml", "go2w", STANDS),
+    (f"{MUJOCO}/go2w/scene.xml", "go2w", STANDS),
+    (f"{MUJOCO}/h1/h1.xml", "h1", STANDS),
+    (f"{MUJOCO}/h1/scene.xml", "h1", STANDS),
+    (f"{MUJOCO}/h1_2/h1_2_handless.xml", "h1_2", STANDS),
+    (f"{MUJOCO}/h1_2/scene.xml", "h1_2", STANDS),
+    (f"{MUJOCO}/r1/R1_C++.xml", "r1", STANDS),
+    (f"{MUJOCO}/r1/scene.xml", "r1", STANDS),
+]
