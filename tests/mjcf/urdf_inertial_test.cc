@@ -74,7 +74,7 @@ class UrdfInertialTest : public test::MujocoTest {
 
 // MuJoCo takes what is made of any inertia.
 TEST_F(UrdfInertialTest, NamesTheLinkOfARepairedInertiaOnceAndMujocoTakesIt) {
-  for (const char* ixx : {"0", "-1", "1e-30", "0.5", "1e200"}) {
+  for (const char* ixx : {"0", "-1", "1e-30", "0.5", "1e6"}) {
     for (const char* kind : {"fixed", "continuous"}) {
       const UrdfRobot robot = Read(ixx, kind);
       ASSERT_EQ(robot.notes.size(), 1u) << ixx;
