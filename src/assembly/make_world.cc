@@ -92,10 +92,10 @@ mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
   return model;
 }
 
-// Returns LoadModel's result, or a copy of what `compiled` has for this time step.
-mjcf::ModelHandle LoadOrCopyModel(config::Config* config, CompiledModels* compiled, Notes* notes) {
-  if (compiled == nullptr) return LoadModel(config, notes);
-  std::shared_ptr<const CompiledModel>& kept = (*compiled)[config->physics.timestep];
+// Returns LoadModel's result, or a copy of what `reused` has for this time step.
+mjcf::ModelHandle LoadOrCopyModel(config::Config* config, Reused* reused, Notes* notes) {
+  if (reused == nullptr) return LoadModel(config, notes);
+  std::shared_ptr<const CompiledModel>& kept = reused->models[config->physics.timestep];
   if (kept == nullptr) {
     auto made = std::make_shared<CompiledModel>();
     made->model = LoadModel(config, &made->notes);
@@ -147,9 +147,10 @@ void CheckMotion(const config::RobotConfig& robot, const physics::RobotBody& bod
 
 // `config` has the names of the model.
 MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::ModelHandle nominal,
-                 robot::Draws draws, Notes notes) {
+                 robot::Draws draws, Notes notes, Reused* reused) {
   std::vector<physics::PlacedRobot> placed = PlacedRobots(config);
-  physics::World world(std::move(model), placed, std::move(nominal));
+  physics::World world(std::move(model), placed, std::move(nominal),
+                       reused == nullptr ? nullptr : std::move(reused->memory));
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (IsThirdParty(config.robots[i])) CheckMotion(config.robots[i], world.robot(i), &notes);
     const std::string& look = config.robots[i].look;
@@ -164,19 +165,19 @@ MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::Mo
 
 }  // namespace
 
-MadePhysics MakePhysics(config::Config* config, CompiledModels* compiled) {
+MadePhysics MakePhysics(config::Config* config, Reused* reused) {
   Notes notes;
   robot::RandomizationSpec& ranges = config->randomization;
   if (!config::IsRandom(ranges)) {
-    mjcf::ModelHandle model = LoadOrCopyModel(config, compiled, &notes);
-    return Made(*config, std::move(model), nullptr, {}, std::move(notes));
+    mjcf::ModelHandle model = LoadOrCopyModel(config, reused, &notes);
+    return Made(*config, std::move(model), nullptr, {}, std::move(notes), reused);
   }
   ranges.seed = SeedOf(ranges, &notes);
   robot::Randomizer randomizer(ranges.seed);
   if (!ranges.timestep.empty()) {
     config->physics.timestep = randomizer.DrawOneOf("timestep", PossibleTimesteps(*config));
   }
-  mjcf::ModelHandle model = LoadOrCopyModel(config, compiled, &notes);
+  mjcf::ModelHandle model = LoadOrCopyModel(config, reused, &notes);
   mjcf::ModelHandle nominal = mjcf::CopyOf(*model);
   std::vector<robot::RobotSpec> in_model;
   for (config::RobotConfig& robot : config->robots) {
@@ -186,7 +187,8 @@ MadePhysics MakePhysics(config::Config* config, CompiledModels* compiled) {
   }
   mjcf::RandomizeModel(ranges, in_model, &randomizer, model.get());
   Add(randomizer.draws(), &notes);
-  return Made(*config, std::move(model), std::move(nominal), randomizer.draws(), std::move(notes));
+  return Made(*config, std::move(model), std::move(nominal), randomizer.draws(), std::move(notes),
+              reused);
 }
 
 std::unique_ptr<emulator::World> MakeWorld(physics::World physics, const config::Config& config,

@@ -39,14 +39,17 @@ struct CompiledModel {
   std::vector<Note> notes;              // on the models
 };
 
-// By time step [s], so that the next worlds of a configuration need no compiler. Empty at first.
-using CompiledModels = std::map<double, std::shared_ptr<const CompiledModel>>;
+// What the next worlds of a configuration take over from those before. Empty at first.
+struct Reused {
+  std::map<double, std::shared_ptr<const CompiledModel>> models;  // by time step [s]
+  mjcf::DataHandle memory;  // of a world that is over; the next takes it
+};
 
 // Compiles robots and scene and draws the randomization. Updates `config` with the names of a
-// third-party model and with the drawn seed, time step, delay and motors. `compiled` keeps the
-// models for further calls with configurations that differ in seeds alone; null: none is kept.
+// third-party model and with the drawn seed, time step, delay and motors. `reused` serves
+// further calls with configurations that differ in seeds alone; null: there are none.
 // Throws ModelError.
-MadePhysics MakePhysics(config::Config* config, CompiledModels* compiled = nullptr);
+MadePhysics MakePhysics(config::Config* config, Reused* reused = nullptr);
 
 // What connects a robot to programs.
 struct Ports {

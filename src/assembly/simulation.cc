@@ -16,6 +16,14 @@ time::Clock::Time TimeOf(const emulator::World& world) {
   return std::chrono::duration_cast<time::Clock::Time>(std::chrono::duration<double>(world.time()));
 }
 
+// Ends a world, if there is one, and returns its memory.
+mjcf::DataHandle MemoryOf(std::unique_ptr<emulator::World> world) {
+  if (world == nullptr) return nullptr;
+  physics::World physics = std::move(*world).TakePhysics();
+  world.reset();
+  return std::move(physics).TakeMemory();
+}
+
 }  // namespace
 
 Simulation::Simulation(config::Config config, const PortsOf& ports)
@@ -24,7 +32,7 @@ Simulation::Simulation(config::Config config, const PortsOf& ports)
 }
 
 Simulation::Simulation(const Simulation& like, const PortsOf& ports)
-    : given_(like.given_), ports_(ports), compiled_(like.compiled_), config_(given_) {
+    : given_(like.given_), ports_(ports), reused_{like.reused_.models, nullptr}, config_(given_) {
   Make();
 }
 
@@ -32,12 +40,18 @@ void Simulation::Begin(int seed) {
   config_ = given_;
   config_.randomization.seed = seed;
   for (config::RobotConfig& robot : config_.robots) robot.sensors.seed = seed;
-  Make();
+  try {
+    Make();
+  } catch (...) {  // a time step that was drawn, and a model that is gone
+    config_ = given_;
+    Make();
+    throw;
+  }
 }
 
 void Simulation::Make() {
-  MadePhysics made = MakePhysics(&config_, &compiled_);
-  world_.reset();
+  if (world_ != nullptr) reused_.memory = MemoryOf(std::move(world_));
+  MadePhysics made = MakePhysics(&config_, &reused_);
   null_ports_.clear();
   inbox_ = std::make_unique<emulator::Inbox>();
   draws_ = std::move(made.draws);

@@ -33,7 +33,8 @@ class Simulation {
   // Begins anew with other seeds, of the sensors and of what is drawn at random: bit for bit as a
   // new simulation whose sensors.seed and randomization.seed are `seed`, which must not be
   // negative. Nothing is compiled but for a time step that is drawn for the first time. World,
-  // notes and draws are new ones; ports are cleared. Throws as the constructor.
+  // notes and draws are new ones, in the memory of the old; ports are cleared. Throws as the
+  // constructor; then it has begun as at first.
   void Begin(int seed);
 
   // Carries out a request (docs/reference/requests.md) such as "push" with its values before the
@@ -58,7 +59,7 @@ class Simulation {
 
   config::Config given_;
   PortsOf ports_;
-  CompiledModels compiled_;
+  Reused reused_;
   config::Config config_;
   robot::Draws draws_;
   std::vector<Note> notes_;

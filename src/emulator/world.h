@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "emulator/events.h"
@@ -36,6 +37,9 @@ class World {
         const std::vector<RobotParts>& robots, Inbox* inbox);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
+
+  // Gives its physics away. After that it can only be destroyed.
+  physics::World TakePhysics() && { return std::move(physics_); }
 
   // Plays a script: each event is carried out in the tick of its time, or in the first one from
   // then on in which its condition holds, like a request from the inbox. One that has waited too

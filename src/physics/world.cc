@@ -20,8 +20,13 @@ constexpr int kDivergenceWarnings[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BA
 }  // namespace
 
 World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
-             mjcf::ModelHandle nominal)
-    : model_(std::move(model)), nominal_(std::move(nominal)), data_(mj_makeData(model_.get())) {
+             mjcf::ModelHandle nominal, mjcf::DataHandle memory)
+    : model_(std::move(model)), nominal_(std::move(nominal)), data_(std::move(memory)) {
+  if (data_ == nullptr) {
+    data_.reset(mj_makeData(model_.get()));
+  } else {
+    mj_resetData(model_.get(), data_.get());
+  }
   mj_kinematics(model_.get(), data_.get());
   robots_.reserve(robots.size());
   for (const PlacedRobot& robot : robots) {

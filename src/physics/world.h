@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
@@ -35,9 +36,13 @@ enum class StepHealth {
 class World {
  public:
   // `model` comes from LoadWorldModel with the same robots. `nominal` is what it was before chance
-  // changed it; null: the same.
+  // changed it; null: the same. `memory` is that of a former world of the same files, which this
+  // one takes over; null: it gets its own.
   World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
-        mjcf::ModelHandle nominal = nullptr);
+        mjcf::ModelHandle nominal = nullptr, mjcf::DataHandle memory = nullptr);
+
+  // Ends this world. The next one may have its memory.
+  mjcf::DataHandle TakeMemory() && { return std::move(data_); }
 
   // In the constructor's order. Their addresses stay valid when the world is moved.
   RobotBody& robot(std::size_t i = 0) { return robots_[i]; }

@@ -159,15 +159,18 @@ TEST_F(SimulationTest, EachOfSeveralRobotsHasDrawsOfItsOwnThatNameIt) {
   EXPECT_EQ(simulation.config().robots[1].spec.dynamics.delay, drawn.at("delay go2_2/"));
 }
 
+// Copies a Go2's model into the folder; returns the setting that takes it from there.
+std::string CopyOfModel(const test::TemporaryFolder& folder) {
+  std::filesystem::copy(std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "models/go2",
+                        folder.path() / "go2", std::filesystem::copy_options::recursive);
+  return "robot.model=" + (folder.path() / "go2/go2.xml").string();
+}
+
 TEST_F(SimulationTest, OneLikeAnotherIsItsTwinAndReadsNoModel) {
   const test::TemporaryFolder folder;
-  const std::filesystem::path model = folder.path() / "go2";
-  std::filesystem::copy(std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "models/go2", model,
-                        std::filesystem::copy_options::recursive);
-  const config::Config config =
-      ConfigOf("go2", {"robot.model=" + (model / "go2.xml").string(), "sensors.seed=4"});
+  const config::Config config = ConfigOf("go2", {CopyOfModel(folder), "sensors.seed=4"});
   Simulation first(config);
-  std::filesystem::remove_all(model);
+  std::filesystem::remove_all(folder.path() / "go2");
   Simulation twin(first, {});
   first.Step(200);
   twin.Step(200);
@@ -218,6 +221,33 @@ TEST_F(SimulationTest, BeginsAnewAsANewOneOfThatSeedWould) {
     simulation.Begin(3);
     EXPECT_EQ(ToldBy(&simulation), third);
   }
+}
+
+TEST_F(SimulationTest, BeginsAnewInTheMemoryThatItHas) {
+  Simulation simulation(ConfigOf("go2"));
+  const mjData* const before = &simulation.world().physics().data();
+  simulation.Begin(8);
+  EXPECT_EQ(&simulation.world().physics().data(), before);
+}
+
+TEST_F(SimulationTest, BeginsAsAtFirstWhereTheModelOfANewTimeStepIsGone) {
+  const test::TemporaryFolder folder;
+  Simulation simulation(ConfigOf("go2", {CopyOfModel(folder), "randomization.seed=1",
+                                         "randomization.timestep=[0.0005, 0.002]"}));
+  const double timestep = simulation.config().physics.timestep;
+  std::filesystem::remove_all(folder.path() / "go2");
+  int refused = 0;
+  for (int seed = 2; seed < 12; ++seed) {
+    try {
+      simulation.Begin(seed);
+    } catch (const ModelError&) {
+      ++refused;
+      EXPECT_EQ(simulation.config().physics.timestep, timestep);
+      simulation.Step(10);
+      EXPECT_NEAR(simulation.world().time(), 10 * timestep, 1e-9);
+    }
+  }
+  EXPECT_GT(refused, 0);
 }
 
 TEST_F(SimulationTest, BeginsAnewWithSeveralRobots) {
