@@ -16,9 +16,8 @@ time::Clock::Time TimeOf(const emulator::World& world) {
   return std::chrono::duration_cast<time::Clock::Time>(std::chrono::duration<double>(world.time()));
 }
 
-// Ends a world, if there is one, and returns its memory.
+// Ends a world and returns its memory.
 mjcf::DataHandle MemoryOf(std::unique_ptr<emulator::World> world) {
-  if (world == nullptr) return nullptr;
   physics::World physics = std::move(*world).TakePhysics();
   world.reset();
   return std::move(physics).TakeMemory();

@@ -48,7 +48,7 @@ TEST_F(MakeWorldTest, MakesTheSightModelOnceForAll) {
   EXPECT_EQ(sight->Get(), model);
 }
 
-// The model as somebody else's, and a foot that is not in it.
+// A Go2 by --model, with a foot whose geoms are not in the model.
 config::Config ConfigOfAFootless(std::vector<std::string> sets) {
   sets.insert(sets.end(),
               {std::string("robot.model=") + UNDERSTUDY_SOURCE_DIR + "/models/go2/go2.xml",
