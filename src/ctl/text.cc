@@ -271,8 +271,26 @@ std::string EventText(const ordered_json& event) {
 
 std::string EventsText(const ordered_json& reply) {
   std::string text;
-  for (const ordered_json& event : reply.at("events")) text += EventText(event);
-  return text;
+  std::size_t after_last = 0;  // where the last of the late ticks would stand
+  std::int64_t ticks = 0;
+  double from = 0, last = 0, worst = 0;  // s
+  for (const ordered_json& event : reply.at("events")) {
+    if (event.at("kind") != "overrun") {
+      text += EventText(event);
+      continue;
+    }
+    after_last = text.size();
+    last = event.at("time").get<double>();
+    if (ticks == 0) from = last;
+    ticks += event.at("detail").at("count").get<std::int64_t>();
+    worst = std::max(worst, event.at("detail").at("worst").get<double>());
+  }
+  if (ticks == 0) return text;
+  const std::string late =
+      std::to_string(ticks) + (ticks == 1 ? " tick" : " ticks") +
+      Printed(" began late since %.1f s, the worst by %.1f ms", from, worst * 1e3);
+  const ordered_json told = {{"time", last}, {"text", late}};
+  return text.insert(after_last, EventText(told));
 }
 
 std::string RobotsText(const std::vector<client::RunningRobot>& robots) {

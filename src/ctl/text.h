@@ -46,7 +46,8 @@ std::string FaultsText(const nlohmann::ordered_json& snapshot);
 // Formats the reply to GET /settings as a table.
 std::string SettingsText(const nlohmann::ordered_json& reply);
 
-// Format one event of the reply to GET /events, as "12.345 s paused at 12.345 s", and all of them.
+// Format one event of the reply to GET /events, as "12.345 s paused at 12.345 s", and all of them:
+// late ticks are one line, at the last of them.
 std::string EventText(const nlohmann::ordered_json& event);
 std::string EventsText(const nlohmann::ordered_json& reply);
 

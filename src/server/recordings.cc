@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <system_error>
@@ -20,7 +21,6 @@
 
 #include "base/errors.h"
 #include "base/unique_fd.h"
-#include "record/truth_reader.h"
 
 namespace understudy::server {
 namespace {
@@ -54,6 +54,12 @@ bool IsFinished(const fs::path& file) {
                  about.st_size - static_cast<off_t>(end.size())) ==
              static_cast<ssize_t>(end.size()) &&
          std::memcmp(end.data(), record::kMcapMagic.data(), end.size()) == 0;
+}
+
+std::string NotFinished(const fs::path& file) {
+  return file.filename().string() +
+         " is not finished: it is being written, or its writer was killed; `mcap recover` makes it "
+         "whole";
 }
 
 double SecondsSince1970(fs::file_time_type time) {
@@ -104,8 +110,32 @@ std::string RefusedOverTcp(const emulator::Request& request) {
   return "file: over the network expected the name of an .mcap file, without a folder";
 }
 
-HttpReply Recordings::List() const {
-  std::vector<std::pair<double, ordered_json>> found;
+std::string Recordings::WhyNotPlayed(const fs::path& file) const {
+  if (!IsFinished(file)) return NotFinished(file);
+  try {
+    return OtherRobot(file, record::TruthReader(file));
+  } catch (const SetupError& refused) {
+    return refused.what();
+  }
+}
+
+std::string Recordings::OtherRobot(const fs::path& file, const record::TruthReader& truth) const {
+  const auto& metadata = truth.reader().contents().metadata;
+  const auto about = metadata.find("understudy");
+  const std::string robot =
+      about == metadata.end() || !about->second.contains("robot") ? "" : about->second.at("robot");
+  if (robot == robot_) return "";
+  return file.filename().string() + " is of the robot '" + robot.substr(0, 32) + "', and this is " +
+         robot_;
+}
+
+HttpReply Recordings::List() {
+  struct Found {
+    double written = 0;  // s since 1970
+    std::string name;
+    std::uintmax_t bytes = 0;
+  };
+  std::vector<Found> found;
   std::error_code error;
   if (!folder_.empty()) {
     for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
@@ -115,14 +145,26 @@ HttpReply Recordings::List() const {
       const auto bytes = it->file_size(gone);
       const auto written = it->last_write_time(gone);
       if (gone) continue;
-      const double at = SecondsSince1970(written);
-      found.emplace_back(at, ordered_json{{"name", name}, {"bytes", bytes}, {"written", at}});
+      found.push_back({SecondsSince1970(written), name, bytes});
     }
   }
-  std::ranges::stable_sort(found, std::greater<>(), &decltype(found)::value_type::first);
+  std::ranges::stable_sort(found, std::greater<>(), &Found::written);
   if (found.size() > kMost) found.resize(kMost);
+  std::map<std::string, Seen> seen;  // what is gone is forgotten
   ordered_json recordings = ordered_json::array();
-  for (auto& [at, told] : found) recordings.push_back(std::move(told));
+  for (const Found& file : found) {
+    const auto known = seen_.find(file.name);
+    const bool same = known != seen_.end() && known->second.written == file.written &&
+                      known->second.bytes == file.bytes;
+    Seen& now = seen[file.name] = {
+        .written = file.written,
+        .bytes = file.bytes,
+        .why_not = same ? known->second.why_not : WhyNotPlayed(folder_ / file.name)};
+    ordered_json told{{"name", file.name}, {"bytes", file.bytes}, {"written", file.written}};
+    if (!now.why_not.empty()) told["why_not"] = now.why_not;
+    recordings.push_back(std::move(told));
+  }
+  seen_ = std::move(seen);
   return {.body = JsonText({{"folder", folder_.string()}, {"recordings", recordings}}) + "\n"};
 }
 
@@ -138,22 +180,10 @@ HttpReply Recordings::Show(const HttpRequest& request, std::string_view name) co
   if (const std::string why = with_poses ? ReadQuery(request, &asked) : ""; !why.empty()) {
     return ErrorReply(400, why);
   }
-  if (!IsFinished(file)) {
-    return ErrorReply(409, std::string{name} +
-                               " is not finished: it is being written, or its writer "
-                               "was killed; `mcap recover` makes it whole");
-  }
+  if (!IsFinished(file)) return ErrorReply(409, NotFinished(file));
   try {
     const record::TruthReader truth(file);
-    const auto& metadata = truth.reader().contents().metadata;
-    const auto about = metadata.find("understudy");
-    const std::string robot = about == metadata.end() || !about->second.contains("robot")
-                                  ? ""
-                                  : about->second.at("robot");
-    if (robot != robot_) {
-      return ErrorReply(409, std::string{name} + " is of the robot '" + robot.substr(0, 32) +
-                                 "', and this is " + robot_);
-    }
+    if (const std::string why = OtherRobot(file, truth); !why.empty()) return ErrorReply(409, why);
     ordered_json told{{"from", truth.whole().from}, {"to", truth.whole().to}};
     if (!with_poses) return {.body = JsonText(told) + "\n"};
     if (scene_ == nullptr) return ErrorReply(404, "there is no scene");

@@ -1,13 +1,16 @@
 // Shows the recordings of a folder, and the robot's poses in one of them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "emulator/request.h"
 #include "physics/scene_reader.h"
+#include "record/truth_reader.h"
 #include "server/http.h"
 
 namespace understudy::server {
@@ -29,8 +32,9 @@ class Recordings {
       : folder_(std::move(folder)), scene_(scene), robot_(std::move(robot)) {}
 
   // {"folder": "/home/ann", "recordings": [{"name": "go2.mcap", "bytes": 9000, "written": 1.8e9}]},
-  // newest first, kMost at most; `written` in s since 1970.
-  HttpReply List() const;
+  // newest first, kMost at most; `written` in s since 1970. One that cannot be played here has also
+  // "why_not". Of a file that has not changed since the last call that is known.
+  HttpReply List();
 
   // {"from": 0, "to": 12.5} [s, simulated]. With from=, to= and hz= in the query also "times" and
   // by time "bodies", poses as in a snapshot: at most `hz` a second of at most kLongest s. 404 for
@@ -42,6 +46,17 @@ class Recordings {
   static constexpr double kLongest = 10;     // s
 
  private:
+  struct Seen {
+    double written = 0;
+    std::uintmax_t bytes = 0;
+    std::string why_not;
+  };
+
+  // Both "" for one of this robot.
+  std::string WhyNotPlayed(const std::filesystem::path& file) const;
+  std::string OtherRobot(const std::filesystem::path& file, const record::TruthReader& truth) const;
+
+  std::map<std::string, Seen> seen_;  // by name, as the last list had them
   std::filesystem::path folder_;
   physics::SceneReader* scene_;
   std::string robot_;

@@ -229,6 +229,26 @@ TEST(CtlTextTest, ASheetWithoutDamageSaysSoAndHasNoMotors) {
   EXPECT_THAT(text, Not(HasSubstr("hottest")));
 }
 
+TEST(CtlTextTest, LateTicksAreOneLineAtTheLastOfThem) {
+  const auto late = [](double time, int count, double worst) {
+    return ordered_json{{"kind", "overrun"},
+                        {"time", time},
+                        {"text", "late"},
+                        {"detail", {{"worst", worst}, {"count", count}}}};
+  };
+  const auto other = [](double time) {
+    return ordered_json{
+        {"kind", "fall"}, {"time", time}, {"text", "fell"}, {"detail", ordered_json::object()}};
+  };
+  EXPECT_EQ(EventsText({{"events", {late(1, 3, 0.002), other(2), late(3, 1, 0.009), other(4)}}}),
+            "2.000 s  fell\n"
+            "3.000 s  4 ticks began late since 1.0 s, the worst by 9.0 ms\n"
+            "4.000 s  fell\n");
+  EXPECT_EQ(EventsText({{"events", ordered_json::array({late(1, 1, 0.002)})}}),
+            "1.000 s  1 tick began late since 1.0 s, the worst by 2.0 ms\n");
+  EXPECT_EQ(EventsText({{"events", ordered_json::array()}}), "");
+}
+
 TEST(CtlTextTest, AUnitWithForeignLettersTakesThePlacesThatItShows) {
   EXPECT_EQ(Aligned({{"rad/s/√s", "x"}, {"m/s²", "x"}, {"N·s/m", "x"}}),
             "rad/s/√s  x\nm/s²      x\nN·s/m     x\n");

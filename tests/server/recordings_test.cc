@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,10 @@ namespace understudy::server {
 namespace {
 
 using nlohmann::json;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::Pair;
 
 constexpr char kSled[] = R"(<mujoco>
   <worldbody><body name="sled"><joint type="slide" axis="1 0 0"/><geom size="0.1"/></body></worldbody>
@@ -82,6 +86,27 @@ TEST_F(RecordingsTest, TellsTheFinishedFilesOfItsFolderNewestFirst) {
   const double hour = told["recordings"][0]["written"].get<double>() -
                       told["recordings"][1]["written"].get<double>();
   EXPECT_NEAR(hour, 3600, 1);
+}
+
+TEST_F(RecordingsTest, SaysInTheListWhichItDoesNotPlayAndWhy) {
+  Record("mine.mcap");
+  Record("other.mcap", "go2");
+  Record("cut.mcap", "sled", false);
+  const auto why_not = [this] {
+    std::map<std::string, std::string> found;
+    const json told = json::parse(dut_.List().body);
+    for (const json& recording : told["recordings"]) {
+      found[recording["name"]] = recording.value("why_not", "");
+    }
+    return found;
+  };
+  EXPECT_THAT(why_not(),
+              ElementsAre(Pair("cut.mcap", HasSubstr("is not finished")), Pair("mine.mcap", ""),
+                          Pair("other.mcap", HasSubstr("of the robot 'go2'"))));
+  // A file that has changed is looked at again, one that has gone is left out.
+  Record("cut.mcap");
+  std::filesystem::remove(Here() / "mine.mcap");
+  EXPECT_THAT(why_not(), ElementsAre(Pair("cut.mcap", ""), Pair("other.mcap", Not(""))));
 }
 
 TEST_F(RecordingsTest, PutsTheBodiesWhereTheRecordedJointsHadThem) {

@@ -104,7 +104,7 @@ def test_late_ticks_and_the_way_down_from_the_crane_are_added_up(page):
         return page.evaluate(f"import('/panel/{name}.js').then((m) => {expression})")
 
     assert module("events", """[[3, 0.002, 4], [1, 0.009, 5], [2, 0.001, 6]].reduce((sum, [n, worst, time]) =>
-        m.lateSoFar(sum, { text: `${n} ticks began late`, detail: { worst }, time }), null)""") == {
+        m.lateSoFar(sum, { detail: { count: n, worst }, time }), null)""") == {
             "count": 6, "worst": 0.009, "from": 4}
     assert module("crane", """m.weightOf({ base: 1, gravity: [0, 0, -10], bodies: [
         { parent: 0, mass: 0 }, { parent: 0, mass: 10 }, { parent: 1, mass: 5 }, { parent: 0, mass: 7 }] })""") == 150

@@ -92,8 +92,8 @@ def test_late_ticks_are_one_line_with_their_count(play, visit):
     lines = "[...document.querySelectorAll('#event-list li')].filter((one) => one.textContent.includes('began late'))"
     add = """(at) => import("/panel/events.js").then(({ Events }) => {
         window.folding ??= new Events();
-        window.folding.show({ number: at, kind: "overrun", level: "", time: at, text: `${at} ticks began late, the worst`,
-                              detail: { worst: 0.001 * at } });
+        window.folding.show({ number: at, kind: "overrun", level: "", time: at, text: "late",
+                              detail: { count: at, worst: 0.001 * at } });
       })"""
     page.evaluate("panel.link.on.event = () => {}")  # a busy machine is late too
     page.click("#tab-events")
@@ -305,6 +305,16 @@ def test_plots_are_taken_away_as_a_picture_and_as_a_table(page):
     assert saved["head"].startswith('"time [s]","' + saved["names"][0] + " [")
     assert len(saved["first"]) == len(set(saved["names"])) + 1
     assert saved["count"] > 20 and saved["colours"] > 10 and saved["line"]
+
+
+def test_a_recording_of_another_robot_is_listed_with_the_reason_and_not_offered(play, visit, tmp_path):
+    play("g1", "--record", tmp_path / "g1.mcap", "--duration", 0.5, "--speed", "max",
+         cwd=tmp_path).process.wait(60)
+    page = visit(url_of(play("go2", cwd=tmp_path)))
+    show(page, "recordings")
+    page.becomes("document.querySelector('#recordings-list button')?.disabled")
+    assert "of the robot 'g1', and this is go2" in page.evaluate(
+        "document.querySelector('#recordings-list p').textContent")
 
 
 def test_a_recording_is_listed_and_played_in_the_view_by_its_time_bar(play, visit, tmp_path):

@@ -33,9 +33,8 @@ const CLASSES = { warning: "warn", error: "bad" }; // by level
 const TOLD_ELSEWHERE = new Set(["motion", "remote"]); // too many for a list
 
 // What all late ticks so far come to, after one more event of them.
-export function lateSoFar(sum, { detail, text, time }) {
-  const count = Number(/^\d+/.exec(text)?.[0] ?? 1);
-  return { count: (sum?.count ?? 0) + count, worst: Math.max(sum?.worst ?? 0, detail.worst ?? 0),
+export function lateSoFar(sum, { detail, time }) {
+  return { count: (sum?.count ?? 0) + detail.count, worst: Math.max(sum?.worst ?? 0, detail.worst ?? 0),
            from: sum?.from ?? time };
 }
 

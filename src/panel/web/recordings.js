@@ -49,12 +49,15 @@ export class Recordings {
     }
     setText(byId("recordings-note"), told.folder);
     byId("recordings-none").hidden = told.recordings.length > 0;
-    byId("recordings-list").replaceChildren(...told.recordings.map(({ name, bytes, written }) => {
-      const play = element("button", { type: "button", text: "Play", "aria-label": `Play ${name}` });
+    byId("recordings-list").replaceChildren(...told.recordings.map(({ name, bytes, written, why_not: whyNot }) => {
+      const play = element("button", {
+        type: "button", text: "Play", "aria-label": `Play ${name}`, disabled: Boolean(whyNot),
+      });
       play.addEventListener("click", () => this.open(name));
       return element("li", {}, play, element("span", { class: "name", text: name }),
         element("span", { class: "num muted", text: `${number(bytes / 1e6, 1)} MB` }),
-        element("span", { class: "num muted", text: new Date(written * 1000).toLocaleString() }));
+        element("span", { class: "num muted", text: new Date(written * 1000).toLocaleString() }),
+        ...(whyNot ? [element("p", { class: "muted", text: whyNot })] : []));
     }));
   }
 
