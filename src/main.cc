@@ -111,6 +111,7 @@ int Main(int argc, char** argv) {
       {remote::AddRemoteCommand(&app, &remote), "understudy-remote", remote::kRemoteMissing},
   };
 
+  commands::AddCameraCommand(&app, &chosen);
   commands::AddPlayCommand(&app, &chosen);
   commands::AddPlotCommand(&app, &chosen);
   commands::AddCompareCommand(&app, &chosen);

@@ -18,6 +18,7 @@ void AddRunCommands(CLI::App* app, Chosen* chosen, const std::size_t* after_dash
 void AddTerrainCommand(CLI::App* app, Chosen* chosen);    // writes a run's ground to files
 void AddRehearseCommand(CLI::App* app, Chosen* chosen);   // plays scenarios and judges them
 void AddJudgeCommand(CLI::App* app, Chosen* chosen);      // judges a recording
+void AddCameraCommand(CLI::App* app, Chosen* chosen);     // shows what a camera sees
 void AddPlayCommand(CLI::App* app, Chosen* chosen);       // replays a recording onto the bus
 void AddExportCommand(CLI::App* app, Chosen* chosen);     // writes a robot in others' forms
 void AddNewCommand(CLI::App* app, Chosen* chosen);        // makes the files of a robot from URDF

@@ -18,6 +18,8 @@ Cameras::Cameras(const emulator::World& world, std::size_t robot, std::filesyste
       program_(std::move(program)),
       control_socket_(std::move(control_socket)),
       open_(cameras_.size()),
+      begun_(cameras_.size()),
+      looked_(cameras_.size()),
       jobs_(1, {.faults = {}, .state = world.MakeSnapshot(robot)}),
       newest_(cameras_.size()) {
   if (cameras_.empty()) return;
@@ -39,6 +41,14 @@ Cameras::Order Cameras::Begin(std::string_view service) noexcept {
   return open;
 }
 
+std::future<Picture> Cameras::Look(std::size_t camera) {
+  const std::lock_guard lock(waiting_mutex_);
+  // Counted once it waits, so that the job of its number finds it.
+  waiting_.push_back({.camera = camera, .look = looked_[camera] + 1, .picture = {}});
+  ++looked_[camera];
+  return waiting_.back().picture.get_future();
+}
+
 void Cameras::Pop() noexcept {
   pictures_.Pop();
   busy_ = false;
@@ -47,10 +57,12 @@ void Cameras::Pop() noexcept {
 std::optional<ExitCode> Cameras::After(const Cycle& cycle) {
   for (std::size_t i = 0; i < open_.size() && !busy_; ++i) {
     const std::size_t camera = (turn_ + i) % open_.size();
-    if (open_[camera] == 0) continue;
+    const std::uint64_t looks = looked_[camera];
+    if (open_[camera] == 0 && looks == begun_[camera]) continue;
     Job* const job = jobs_.Claim();
     if (job == nullptr) break;
-    job->order = std::exchange(open_[camera], 0);
+    job->order = open_[camera] != 0 ? std::exchange(open_[camera], 0) : ++last_;
+    job->looks = begun_[camera] = looks;
     job->camera = camera;
     job->faults = cycle.world.robot(robot_).faults().effects().cameras[camera];
     job->state.parts = CameraProcess::kParts;
@@ -71,12 +83,23 @@ void Cameras::Work(const std::stop_token& stop) {
     const Job* const job = jobs_.Front();
     if (job == nullptr) continue;
     Picture picture = Make(*job, stop);
+    Show(*job, picture);
     jobs_.Pop();
     *pictures_.Claim() = std::move(picture);
     pictures_.Commit();
   }
   const std::lock_guard lock(mutex_);
   process_.reset();
+}
+
+void Cameras::Show(const Job& job, const Picture& picture) {
+  const std::lock_guard lock(waiting_mutex_);
+  const std::size_t shown = std::erase_if(waiting_, [&](Waiting& waiting) {
+    if (waiting.camera != job.camera || waiting.look > job.looks) return false;
+    waiting.picture.set_value(picture);
+    return true;
+  });
+  if (shown > 0) news_.Ring();
 }
 
 Picture Cameras::Make(const Job& job, const std::stop_token& stop) {

@@ -1,11 +1,15 @@
 // The cameras of a robot of a run: pictures for its services, drawn beside the tick.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -19,6 +23,7 @@
 #include "robot/robot_spec.h"
 #include "run/camera_process.h"
 #include "run/loop.h"
+#include "server/camera_views.h"
 #include "services/picture_source.h"
 
 namespace understudy::run {
@@ -27,7 +32,9 @@ namespace understudy::run {
 // take turns. What is ordered meanwhile shares the next picture of its camera. The loop hands over
 // a copy of the state and never waits. A thread waits for the process that draws, which is started
 // for the first picture and kept. Nothing is drawn that is not ordered.
-class Cameras final : public Attachment, public services::PictureSource {
+class Cameras final : public Attachment,
+                      public services::PictureSource,
+                      public server::CameraViews {
  public:
   // Of the robot of that number. `program` is understudy-view. `world` must outlive this.
   Cameras(const emulator::World& world, std::size_t robot, std::filesystem::path program,
@@ -38,16 +45,27 @@ class Cameras final : public Attachment, public services::PictureSource {
   const services::Picture* Front() const noexcept override { return pictures_.Front(); }
   void Pop() noexcept override;
   std::optional<ExitCode> After(const Cycle& cycle) override;
+  std::span<const robot::CameraSpec> cameras() const noexcept override { return cameras_; }
+  std::future<services::Picture> Look(std::size_t camera) override;
+  const Bell& news() const noexcept override { return news_; }
 
  private:
   struct Job {
     Order order = 0;
     std::size_t camera = 0;
+    std::uint64_t looks = 0;  // that wait for it: of its camera, up to this number
     robot::CameraEffects faults;
     emulator::Snapshot state;
   };
 
+  struct Waiting {
+    std::size_t camera = 0;
+    std::uint64_t look = 0;
+    std::promise<services::Picture> picture;
+  };
+
   void Work(const std::stop_token& stop);
+  void Show(const Job& job, const services::Picture& picture);
   services::Picture Make(const Job& job, const std::stop_token& stop);
   services::PictureBytes Draw(const Job& job, const std::stop_token& stop);
 
@@ -58,14 +76,22 @@ class Cameras final : public Attachment, public services::PictureSource {
   // Of the loop's thread:
   std::vector<Order> open_;  // by camera: the order that waits for its turn, 0 for none
   Order last_ = 0;
-  std::size_t turn_ = 0;  // the camera that is next
-  bool busy_ = false;     // a job is under way
+  std::size_t turn_ = 0;              // the camera that is next
+  bool busy_ = false;                 // a job is under way
+  std::vector<std::uint64_t> begun_;  // by camera: the last look that a job was begun for
+
+  // Of all:
+  std::vector<std::atomic<std::uint64_t>> looked_;  // by camera: the last look
+  Bell news_;
 
   SpscRing<Job> jobs_;
   SpscRing<services::Picture> pictures_{1};
   Bell bell_;
 
-  // Of the other:
+  std::mutex waiting_mutex_;  // of observers and the thread
+  std::vector<Waiting> waiting_;
+
+  // Of the thread:
   std::mutex mutex_;  // over the existence of process_; that thread and the destructor
   std::optional<CameraProcess> process_;
   std::vector<services::PictureBytes> newest_;  // by camera

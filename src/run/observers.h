@@ -50,8 +50,8 @@ class Observers {
   Snapshots snapshots_;
   emulator::StatusBoard board_;
   physics::SceneReader scene_;
-  server::ControlServer control_;
   Cameras cameras_;
+  server::ControlServer control_;
   Recording recording_;  // last: a start that is refused leaves an old file whole
   StatusPoster poster_;
 };

@@ -20,6 +20,7 @@
 namespace understudy::server {
 
 class RequestDesk;
+class ViewDesk;
 
 // A Unix or TCP socket.
 using Stream = boost::beast::basic_stream<boost::asio::generic::stream_protocol>;
@@ -74,6 +75,7 @@ struct Shared {
   ServerLimits limits;
   SnapshotPump* pump = nullptr;
   RequestDesk* desk = nullptr;
+  ViewDesk* views = nullptr;
 };
 
 }  // namespace understudy::server

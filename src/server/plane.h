@@ -11,6 +11,7 @@
 #include "emulator/snapshot_mailbox.h"
 #include "emulator/status.h"
 #include "server/bus_view.h"
+#include "server/camera_views.h"
 #include "server/event_history.h"
 #include "server/recordings.h"
 #include "server/scene_files.h"
@@ -33,6 +34,7 @@ struct Plane {
   const emulator::StatusBoard* board = nullptr;
   emulator::Inbox* inbox = nullptr;
   emulator::SnapshotMailbox* snapshots = nullptr;  // null: no snapshots
+  CameraViews* views = nullptr;                    // null: no cameras
   EventHistory events{};
   std::optional<SceneFiles> scene{};  // nullopt: no scene
   BusView bus{};

@@ -166,6 +166,33 @@ Routed GetRecording(const HttpRequest& request, std::string_view name, Plane& pl
   return plane.recordings.Show(request, name);
 }
 
+std::span<const robot::CameraSpec> CamerasOf(const Plane& plane) {
+  return plane.views == nullptr ? std::span<const robot::CameraSpec>() : plane.views->cameras();
+}
+
+Routed GetCameras(const HttpRequest&, std::string_view, Plane& plane) {
+  ordered_json cameras = ordered_json::array();
+  for (const robot::CameraSpec& camera : CamerasOf(plane)) {
+    cameras.push_back({{"name", camera.name},
+                       {"service", camera.service},
+                       {"width", camera.width},
+                       {"height", camera.height}});
+  }
+  return JsonReply({{"cameras", cameras}});
+}
+
+Routed GetCamera(const HttpRequest&, std::string_view name, Plane& plane) {
+  const auto cameras = CamerasOf(plane);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    if (cameras[i].name == name) return FromCamera{.camera = i};
+    names.push_back(cameras[i].name);
+  }
+  const std::string shown{name.substr(0, 64)};
+  return ErrorReply(404, names.empty() ? "this robot has no camera"
+                                       : "no camera " + shown + DidYouMean(shown, names));
+}
+
 template <auto kMake>
 Routed FromScene(const HttpRequest&, std::string_view index, Plane& plane) {
   if (!plane.scene) return ErrorReply(404, "there is no scene");
@@ -212,6 +239,8 @@ constexpr Row kRoutes[] = {
     {"/services", GetServices},
     {"/recordings", GetRecordings},
     {"/recordings/{name}", GetRecording},
+    {"/cameras", GetCameras},
+    {"/cameras/{name}", GetCamera},
     {"/timings", GetTimings},
     {"/metrics", GetMetrics},
     {"/scene", FromScene<&SceneFiles::Scene>},

@@ -1,6 +1,7 @@
 // Routes HTTP requests to their replies: the control plane without its transport.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,6 +20,11 @@ struct FromSnapshot {
                      Plane& plane) = nullptr;
 };
 
+// A picture by the camera of that number.
+struct FromCamera {
+  std::size_t camera = 0;
+};
+
 // A WebSocket that sends snapshots, at most `hz` a second.
 struct WatchSnapshots {
   emulator::SnapshotParts parts = 0;
@@ -31,9 +37,10 @@ struct WatchEvents {};
 // A WebSocket that takes requests.
 struct TakeRequests {};
 
-// An immediate reply, a request for the tick, a reply made from a snapshot, or a WebSocket.
-using Routed = std::variant<HttpReply, emulator::Request, FromSnapshot, WatchSnapshots, WatchEvents,
-                            TakeRequests>;
+// An immediate reply, a request for the tick, a reply made from a snapshot, a picture, or a
+// WebSocket.
+using Routed = std::variant<HttpReply, emulator::Request, FromSnapshot, FromCamera, WatchSnapshots,
+                            WatchEvents, TakeRequests>;
 
 // Returns the reply to a carried out request: {"ok": true}, or 409 with the reason.
 HttpReply AnswerReply(const emulator::Answer& answer);

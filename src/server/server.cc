@@ -22,6 +22,7 @@
 #include "server/request_desk.h"
 #include "server/session.h"
 #include "server/snapshot_pump.h"
+#include "server/view_desk.h"
 
 namespace understudy::server {
 namespace {
@@ -100,6 +101,9 @@ class ControlServer::Loop {
     if (shared_.plane.inbox != nullptr) {
       shared_.desk = &desk_.emplace(&io_, shared_.plane.inbox, limits.patience);
     }
+    if (shared_.plane.views != nullptr) {
+      shared_.views = &views_.emplace(&io_, shared_.plane.views, limits.picture);
+    }
     unix_.emplace(&io_, listening_.fd(), AF_UNIX, nullptr, &shared_);
     if (panel != nullptr) {
       access_ = {.token = panel->token(), .address = panel->address()};
@@ -139,6 +143,7 @@ class ControlServer::Loop {
   asio::steady_timer events_timer_{io_};
   std::optional<SnapshotPump> pump_;
   std::optional<RequestDesk> desk_;
+  std::optional<ViewDesk> views_;
   std::optional<Acceptor> unix_;
   std::optional<Acceptor> tcp_;
   std::thread thread_;

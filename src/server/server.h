@@ -26,6 +26,8 @@ struct ServerLimits {
   // Longest wait for the tick to take a request, which is then answered with 503 and not carried
   // out, or to fill in a snapshot.
   std::chrono::milliseconds patience{2'000};
+  // Longest wait for a camera's picture. The first starts the program that draws.
+  std::chrono::milliseconds picture{30'000};
 };
 
 // Serves while it exists, in one thread, which never waits for a client or for the tick. Both

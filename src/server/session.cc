@@ -7,6 +7,7 @@
 
 #include "server/recordings.h"
 #include "server/request_desk.h"
+#include "server/view_desk.h"
 #include "server/web_sockets.h"
 
 namespace understudy::server {
@@ -109,6 +110,12 @@ void Session::Answer(const HttpRequest& request) {
   Routed routed = Route(request, shared_->plane);
   if (auto* reply = std::get_if<HttpReply>(&routed)) return Write(std::move(*reply));
   if (const auto* wanted = std::get_if<FromSnapshot>(&routed)) return AwaitSnapshot(*wanted);
+  if (const auto* wanted = std::get_if<FromCamera>(&routed)) {
+    // Drawing may take longer than a client may be silent.
+    stream_.expires_never();
+    return shared_->views->Ask(wanted->camera,
+                               [self = Self()](HttpReply reply) { self->Write(std::move(reply)); });
+  }
   if (const auto* asked = std::get_if<emulator::Request>(&routed)) {
     if (const std::string why = RefusedOverTcp(*asked);
         connections_->access() != nullptr && !why.empty()) {

@@ -1,7 +1,9 @@
 // The cameras of a robot, with a program of the test that draws.
 #include "run/cameras.h"
 
+#include <chrono>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -137,6 +139,31 @@ TEST_F(CamerasTest, SeeLessLightAndTheSamePictureAndNoneByFault) {
   cameras_->Begin("videohub");
   Step();
   EXPECT_EQ(Taken(), "front 90 1.00 0.005");
+}
+
+TEST_F(CamerasTest, ShowTheSamePictureToWhoLooksAndToTheService) {
+  std::future<Picture> first = cameras_->Look(0), second = cameras_->Look(0);
+  cameras_->Begin("videohub");
+  Step();
+  EXPECT_EQ(Taken(), "front 90 1.00 0.001");
+  for (std::future<Picture>* look : {&first, &second}) {
+    const Picture seen = look->get();
+    EXPECT_EQ(std::string(seen.jpeg->begin(), seen.jpeg->end()), "front 90 1.00 0.001");
+  }
+  EXPECT_TRUE(cameras_->news().Answer());
+}
+
+TEST_F(CamerasTest, ShowALookThatComesLaterALaterPicture) {
+  std::future<Picture> early = cameras_->Look(1);
+  Step();
+  std::future<Picture> late = cameras_->Look(1);
+  Take();
+  EXPECT_EQ(late.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  Step();
+  EXPECT_EQ(Taken(), "back 40 1.00 0.002");
+  const Picture seen = late.get();
+  EXPECT_EQ(std::string(seen.jpeg->begin(), seen.jpeg->end()), "back 40 1.00 0.002");
+  EXPECT_EQ(early.get().outcome, kDrawn);
 }
 
 TEST_F(CamerasTest, SayOnceWhyThereIsNoPicture) {

@@ -256,6 +256,25 @@ def test_a_picture_asks_little_of_the_graphics_card(play, visit, options):
 
 
 # The last one: the view still swings for a while after it.
+def test_what_the_robots_camera_sees_is_shown_in_the_view_while_it_is_chosen(page):
+    def choose(name):
+        page.evaluate("(list => { list.value = '%s'; list.dispatchEvent(new Event('change')); })"
+                      "(document.getElementById('eyes'))" % name)
+
+    page.becomes("!document.getElementById('eyes').hidden")
+    choose("front")
+    page.becomes("!document.getElementById('seen').hidden")
+    width, height, colours = page.evaluate("""(seen => {
+        const bits = seen.getContext("2d").getImageData(0, 0, seen.width, seen.height).data;
+        const colours = new Set();
+        for (let i = 0; i < bits.length; i += 400) colours.add(`${bits[i]} ${bits[i + 1]} ${bits[i + 2]}`);
+        return [seen.width, seen.height, colours.size];
+      })(document.getElementById("seen"))""")
+    assert (width, height) == (1280, 720) and colours > 10
+    choose("")
+    page.becomes("document.getElementById('seen').hidden")
+
+
 def test_no_drag_takes_the_view_under_the_ground(page):
     x, y = page.middle("#canvas")
     page.mouse("mousePressed", x, y)

@@ -7,6 +7,7 @@ import { Dds } from "./dds.js";
 import { byId, focusWants, number, setText } from "./dom.js";
 import { DragTool } from "./drag.js";
 import { Events } from "./events.js";
+import { Eyes } from "./eyes.js";
 import { Faults } from "./faults.js";
 import { makeHelp } from "./help.js";
 import { Joints } from "./joints.js";
@@ -98,6 +99,7 @@ const services = new Services(request);
 const recordings = new Recordings(link, showRecorded, say);
 new Dds(link);
 const table = new MotorTable(plotMotor);
+const eyes = new Eyes(link, say);
 new DamageSheet(link);
 const truth = new TruthSheet(link);
 const sensors = new SensorTable((names) => plots.showFirst(names));
@@ -182,6 +184,7 @@ function showRecorded(instant) {
     plots.replay(replays);
     bar.showRecorded(replays ? { time: instant.time, name: recordings.playing.name } : null);
     allowControls();
+    if (replays) eyes.choose(""); // they are the live robot's
     tableShown = 0;
   }
   if (!replays) return showSnapshot(liveSnapshot);

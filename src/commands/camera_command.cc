@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "base/signals.h"
+#include "client/client.h"
+#include "client/robot_choice.h"
+#include "commands/commands.h"
+#include "ctl/check.h"
+#include "ctl/text.h"
+
+namespace understudy::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds kPictureWait{40};    // more than ServerLimits::picture
+constexpr std::chrono::milliseconds kStopLook{50};  // between looks at the stop flag
+constexpr unsigned kNoneThisTime = 503;
+constexpr double kMostHz = 60;          // *assumed*: more than cameras have
+constexpr double kLongestStream = 1e9;  // s
+
+struct CameraArguments {
+  client::RobotChoice robot;
+  std::string name;
+  std::string out;
+  double hz = 10;
+  double seconds = 0;  // 0: until Ctrl-C
+  bool overwrite = false;
+};
+
+client::ControlReply Ask(const fs::path& socket, const std::string& path) {
+  return client::Call(socket, "GET", path, "", kPictureWait);
+}
+
+// Throws ControlError with the robot's reason for any status but 200.
+std::string BodyOf(client::ControlReply reply) {
+  if (reply.status == 200) return std::move(reply.body);
+  const auto why = nlohmann::json::parse(reply.body, nullptr, false);
+  throw ControlError(why.is_object() ? why.value("error", reply.body) : reply.body);
+}
+
+int List(const fs::path& socket) {
+  const auto told = nlohmann::json::parse(BodyOf(Ask(socket, "/cameras")));
+  std::vector<ctl::Cells> rows = {{"CAMERA", "PIXELS", "SERVICE"}};
+  for (const auto& camera : told.at("cameras")) {
+    const std::string service = camera.at("service");
+    rows.push_back({camera.at("name"),
+                    std::to_string(camera.at("width").get<int>()) + "x" +
+                        std::to_string(camera.at("height").get<int>()),
+                    service.empty() ? "none" : service});
+  }
+  std::cout << (rows.size() == 1 ? "this robot has no camera\n" : ctl::Aligned(rows));
+  return 0;
+}
+
+int Write(const CameraArguments& arguments, const std::string& jpeg) {
+  std::ofstream file(arguments.out, std::ios::binary);
+  file << jpeg << std::flush;
+  if (!file) throw SetupError("cannot write " + arguments.out);
+  return 0;
+}
+
+// Pictures one behind the other, until the reader has gone.
+int Stream(const CameraArguments& arguments, const fs::path& socket, const std::string& path) {
+  CatchStopSignals();
+  std::signal(SIGPIPE, SIG_DFL);  // a reader that goes ends it, as it ends others
+  const auto period =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / arguments.hz));
+  const Clock::time_point begin = Clock::now();
+  const auto over = [&] {
+    return StopSignal() != 0 ||
+           (arguments.seconds > 0 &&
+            Clock::now() - begin >= std::chrono::duration<double>(arguments.seconds));
+  };
+  for (Clock::time_point next = begin; !over(); next = std::max(next + period, Clock::now())) {
+    while (Clock::now() < next && !over()) {
+      std::this_thread::sleep_until(std::min(next, Clock::now() + kStopLook));
+    }
+    client::ControlReply reply = Ask(socket, path);
+    if (reply.status == kNoneThisTime) continue;
+    const std::string jpeg = BodyOf(std::move(reply));
+    if (std::fwrite(jpeg.data(), 1, jpeg.size(), stdout) != jpeg.size()) break;
+    if (std::fflush(stdout) != 0) break;
+  }
+  return 0;
+}
+
+int Run(const CameraArguments& arguments) {
+  const fs::path socket = client::ChosenSocket(arguments.robot);
+  if (arguments.name.empty()) return List(socket);
+  const std::string path = "/cameras/" + arguments.name;
+  if (arguments.out == "-") return Stream(arguments, socket, path);
+  if (!arguments.overwrite && fs::exists(arguments.out)) {
+    throw RecordError(arguments.out +
+                      ": exists already; name another file, or replace it with --overwrite");
+  }
+  return Write(arguments, BodyOf(Ask(socket, path)));
+}
+
+}  // namespace
+
+void AddCameraCommand(CLI::App* app, Chosen* chosen) {
+  auto arguments = std::make_shared<CameraArguments>();
+  CLI::App* const command = app->add_subcommand("camera", "Show what a robot's camera sees");
+  CLI::Option* const name =
+      command->add_option("camera", arguments->name, "Its name [lists the robot's cameras]")
+          ->type_name("CAMERA");
+  client::AddRobotChoice(command, &arguments->robot);
+  CLI::Option* const out =
+      command
+          ->add_option("--out", arguments->out,
+                       "File for one JPEG; - writes pictures to standard output, one behind the "
+                       "other, until Ctrl-C")
+          ->type_name("FILE")
+          ->needs(name);
+  name->needs(out);
+  command->add_option("--hz", arguments->hz, "With --out -: at most so many pictures a second [10]")
+      ->check(ctl::NumberWithin(0.01, kMostHz))
+      ->type_name("HZ")
+      ->needs(out);
+  command->add_option("--seconds", arguments->seconds, "With --out -: ends after that time [never]")
+      ->check(ctl::NumberWithin(0, kLongestStream))
+      ->type_name("S")
+      ->needs(out);
+  command->add_flag("--overwrite", arguments->overwrite, "Replace the file that is there")
+      ->needs(out);
+  command->footer(
+      "Pictures are those of the robot's own services, by the lens and with the faults of its\n"
+      "camera. More: docs/seeing.md.\n"
+      "Examples:\n"
+      "  understudy camera\n"
+      "  understudy camera front --out front.jpg\n"
+      "  understudy camera front --out - --seconds 2 > front.mjpeg");
+  command->final_callback(
+      [chosen, arguments] { *chosen = [arguments] { return Run(*arguments); }; });
+}
+
+}  // namespace understudy::commands

@@ -1,0 +1,80 @@
+"""`understudy camera`, and the example that publishes what it shows."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+
+import pytest
+import zmq
+
+UNDERSTUDY = os.environ["UNDERSTUDY"]
+EXAMPLE = pathlib.Path(__file__).parents[2] / "examples" / "python" / "image_server.py"
+BEGIN, END = b"\xff\xd8", b"\xff\xd9"
+
+
+def size_of(jpeg):
+    """Width and height, as ffprobe reads them."""
+    asked = ["ffprobe", "-v", "error", "-show_entries", "stream=width,height", "-of", "csv=p=0", "-f", "mjpeg", "-"]
+    return subprocess.run(asked, input=jpeg, capture_output=True, check=True).stdout.decode().strip()
+
+
+@pytest.fixture
+def robot(play):
+    return play("g1", "--start", "clamped")
+
+
+def test_a_camera_is_listed_and_its_picture_saved_once(robot, understudy, tmp_path):
+    listed = understudy("camera").stdout.split("\n")
+    assert listed[1].split() == ["head", "640x480", "none"]
+    file = tmp_path / "head.jpg"
+    assert understudy("camera", "head", "--out", file).returncode == 0
+    assert size_of(file.read_bytes()) == "640,480"
+
+    file.write_text("mine")
+    refused = understudy("camera", "head", "--out", file)
+    assert refused.returncode == 9 and "exists already" in refused.stderr
+    assert file.read_text() == "mine"
+    assert understudy("camera", "head", "--out", file, "--overwrite").returncode == 0
+    assert file.read_bytes().startswith(BEGIN)
+
+    unknown = understudy("camera", "haed", "--out", tmp_path / "x.jpg")
+    assert unknown.returncode == 1 and "did you mean 'head'?" in unknown.stderr
+    assert not (tmp_path / "x.jpg").exists()
+
+
+def test_a_stream_has_whole_pictures_and_ends_in_time_or_with_its_reader(robot):
+    command = [UNDERSTUDY, "camera", "head", "--out", "-", "--hz", "20"]
+    done = subprocess.run([*command, "--seconds", "4"], capture_output=True, timeout=60)
+    assert done.returncode == 0
+    assert done.stdout.startswith(BEGIN) and done.stdout.endswith(END)
+    assert done.stdout.count(END + BEGIN) >= 1
+    with subprocess.Popen(command, stdout=subprocess.PIPE) as reader_gone:
+        assert reader_gone.stdout.read(2) == BEGIN
+        reader_gone.stdout.close()
+        assert reader_gone.wait(60) == -signal.SIGPIPE
+
+
+def test_a_camera_that_loses_every_picture_sends_none_until_that_is_over(robot, understudy):
+    assert understudy("ctl", "fault", "camera.head", "lossy", "--by", "1").returncode == 0
+    assert "gives no picture this time" in understudy("camera", "head", "--out", "x.jpg").stderr
+    with subprocess.Popen([UNDERSTUDY, "camera", "head", "--out", "-"], stdout=subprocess.PIPE) as stream:
+        assert understudy("ctl", "fault", "camera.head", "none").returncode == 0
+        assert stream.stdout.read(2) == BEGIN
+        stream.terminate()
+
+
+def test_the_image_server_publishes_a_jpeg_a_message_and_ends_with_the_robot(robot):
+    path = f"{pathlib.Path(UNDERSTUDY).parent}:{os.environ['PATH']}"
+    endpoint = "tcp://127.0.0.1:55555"
+    with subprocess.Popen([sys.executable, EXAMPLE, "head", endpoint], env={**os.environ, "PATH": path}) as server:
+        socket = zmq.Context.instance().socket(zmq.SUB)
+        socket.setsockopt(zmq.SUBSCRIBE, b"")
+        socket.setsockopt(zmq.RCVTIMEO, 60_000)
+        socket.connect(endpoint)
+        for _ in range(3):
+            assert size_of(socket.recv()) == "640,480"
+        robot.end()
+        assert server.wait(60) != 0
+        socket.close(0)
