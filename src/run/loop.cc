@@ -39,8 +39,9 @@ time::Wait Loop::Wait() {
   if (!std::ranges::all_of(attachments_, &Attachment::AllowsStep)) {
     return pacer_.Hold(world_.step(), kGlance);
   }
-  if (programs_ != nullptr && !world_.pace().stands_still() &&
-      !programs_->Reach(world_.step() * period_, kGlance)) {
+  if (programs_ != nullptr && world_.pace().stands_still()) {
+    programs_->Stand();
+  } else if (programs_ != nullptr && !programs_->Reach(world_.step() * period_, kGlance)) {
     return {};
   }
   return pacer_.WaitFor(world_.pace(), world_.step(), kGlance);

@@ -106,6 +106,13 @@ bool Coordinator::Reach(Wall simulated, Wall most) {
   return false;
 }
 
+void Coordinator::Stand() {
+  for (std::uint32_t i = 0; i < page_.used; ++i) {
+    const Slot& slot = page_.slots[i];
+    if (slot.state == State::kBlocked && slot.kind == Kind::kAsks) Fire(i);
+  }
+}
+
 void Coordinator::End() {
   if (coasting_.joinable()) return;
   coasting_ = std::jthread([this](const std::stop_token& stop) { Coast(stop); });
@@ -205,7 +212,7 @@ bool Coordinator::AllAsleep(bool patient) {
   for (std::uint32_t i = page_.used; i-- > 0;) {
     const Slot& slot = page_.slots[i];
     const State state = slot.state;
-    if (state == State::kFree || (state == State::kBlocked && slot.kind == Kind::kSleep)) continue;
+    if (state == State::kFree || (state == State::kBlocked && slot.kind != Kind::kEvent)) continue;
     if (state != State::kBlocked && !patient && page_.loose == 0) return false;
     switch (sleepers_.Look(i)) {
       case Sleep::kAwake:
@@ -219,6 +226,7 @@ bool Coordinator::AllAsleep(bool patient) {
       case Sleep::kAsleep:
         if (slot.state == State::kFired) return false;  // its wake-up is on its way
         if (slot.state != State::kRunning) break;
+        if (slot.kind == Kind::kStands) return false;
         ++loose;
         NoteRawSleep(i);
         break;

@@ -271,8 +271,10 @@ class SlowPrograms final : public time::ProgramClock {
   void ProgramStarts() override {}
   void ProgramEnded() override {}
   void End() override {}
+  void Stand() override { ++stood; }
 
   std::vector<time::Clock::Time> reached{};
+  int stood = 0;
   std::string held{};
 };
 
@@ -326,6 +328,7 @@ TEST_F(LoopTest, PauseStopsTheTimeOfPrograms) {
   });
   Loop(&clock_, world_.get(), {&probe}, &programs).Run();
   EXPECT_EQ(programs.reached.size(), reached);
+  EXPECT_EQ(programs.stood, 20 - 3);
 }
 
 }  // namespace

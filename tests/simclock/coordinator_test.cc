@@ -1,5 +1,6 @@
 #include "simclock/coordinator.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -49,6 +50,21 @@ TEST(CoordinatorTest, AThreadThatIsSeenGoneAfterTheEndWasToldHoldsNoTime) {
   for (int i = 0; i < 3 && !coordinator.Reach(1ms, 1s); ++i) {
   }
   EXPECT_TRUE(coordinator.Reach(2ms, 1s));
+}
+
+TEST(CoordinatorTest, WhatMayEndAPauseIsNotHeldByIt) {
+  const auto page = std::make_unique<Page>();
+  page->used = 2;
+  for (Slot& slot : {std::ref(page->slots[0]), std::ref(page->slots[1])}) {
+    slot.state = State::kBlocked;
+    slot.deadline = kFirstInstant + 1'000'000;
+  }
+  page->slots[0].kind = Kind::kSleep;
+  page->slots[1].kind = Kind::kAsks;
+  Coordinator coordinator(page.get(), /*realtime=*/false);
+  coordinator.Stand();
+  EXPECT_EQ(page->slots[0].state, State::kBlocked);
+  EXPECT_EQ(page->slots[1].state, State::kFired);
 }
 
 TEST(CoordinatorTest, TheProgramsExitCodeIsKept) {
@@ -116,6 +132,15 @@ TEST(CoordinatorTest, AThreadThatComputesWhileItSaysThatItWaitsIsTold) {
                        {.realtime = true, .most_computing = std::chrono::milliseconds(200)});
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.unrepeatable, HasSubstr("computes and does not wait"));
+}
+
+TEST(CoordinatorTest, TimeStandsWhileAThreadWaitsInRealTime) {
+  for (const bool realtime : {false, true}) {
+    const test::ClockedRun run =
+        test::RunOnClock({UNDERSTUDY_ODD_WAITS, "stands"}, {.realtime = realtime});
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.unrepeatable, IsEmpty());
+  }
 }
 
 // With it Linux may spin for ever in removing the child from /proc.
