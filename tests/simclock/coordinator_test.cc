@@ -1,5 +1,6 @@
 #include "simclock/coordinator.h"
 
+#include <csignal>
 #include <functional>
 #include <memory>
 #include <string>
@@ -50,6 +51,28 @@ TEST(CoordinatorTest, AThreadThatIsSeenGoneAfterTheEndWasToldHoldsNoTime) {
   for (int i = 0; i < 3 && !coordinator.Reach(1ms, 1s); ++i) {
   }
   EXPECT_TRUE(coordinator.Reach(2ms, 1s));
+}
+
+// Else the loop would look without end, and keep the core from all that have no priority.
+TEST(CoordinatorTest, AThreadForWhichTimeStandsDoesNotCountAsOneBesideWhichItGoesOn) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    while (true) ::pause();
+  }
+  const auto page = std::make_unique<Page>();
+  page->used = 1;
+  page->running = 1;
+  page->loose = 1;  // it was, before it began to ask
+  page->slots[0].pid = child;
+  page->slots[0].tid = child;
+  page->slots[0].state = State::kRunning;
+  page->slots[0].kind = Kind::kStands;
+  Coordinator coordinator(page.get(), /*realtime=*/false);
+  using namespace std::chrono_literals;
+  EXPECT_FALSE(coordinator.Reach(1ms, 100ms));
+  EXPECT_EQ(page->loose, 0);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
 }
 
 TEST(CoordinatorTest, WhatMayEndAPauseIsNotHeldByIt) {
