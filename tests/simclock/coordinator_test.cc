@@ -53,6 +53,23 @@ TEST(CoordinatorTest, AThreadThatIsSeenGoneAfterTheEndWasToldHoldsNoTime) {
   EXPECT_TRUE(coordinator.Reach(2ms, 1s));
 }
 
+TEST(CoordinatorTest, AThreadThatEndedWhileItWaitedWasNotRunning) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  const auto page = std::make_unique<Page>();
+  page->used = 1;
+  page->slots[0].pid = child;
+  page->slots[0].tid = child;
+  page->slots[0].state = State::kBlocked;
+  page->slots[0].kind = Kind::kEvent;
+  page->slots[0].deadline = kNever;
+  Coordinator coordinator(page.get(), /*realtime=*/false);
+  using namespace std::chrono_literals;
+  EXPECT_TRUE(coordinator.Reach(1ms, 1s));
+  EXPECT_EQ(page->running, 0);
+}
+
 // Else the loop would look without end, and keep the core from all that have no priority.
 TEST(CoordinatorTest, AThreadForWhichTimeStandsDoesNotCountAsOneBesideWhichItGoesOn) {
   const pid_t child = ::fork();
