@@ -1,8 +1,10 @@
 #include "ctl/ask.h"
 
+#include <optional>
 #include <utility>
 
 #include "client/client.h"
+#include "simclock/standing_time.h"
 
 namespace understudy::ctl {
 namespace {
@@ -23,6 +25,8 @@ std::string ReasonOf(const client::ControlReply& reply) {
 std::string Ask(const std::filesystem::path& socket, const std::string& method,
                 const std::string& path, const std::string& body,
                 std::chrono::milliseconds timeout) {
+  std::optional<simclock::StandingTime> stands;
+  if (timeout <= kCallTimeout) stands.emplace();
   client::ControlReply reply = client::Call(socket, method, path, body, timeout);
   if (reply.status != 200) throw ControlError(ReasonOf(reply));
   return std::move(reply.body);

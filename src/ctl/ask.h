@@ -15,7 +15,8 @@ namespace understudy::ctl {
 inline constexpr std::chrono::milliseconds kCallTimeout{5'000};
 
 // Returns the body of the reply. Throws ControlError with the robot's reason if the status is not
-// 200.
+// 200. In a program on a simulated clock the timeout is real, and time stands until the reply; a
+// longer timeout than kCallTimeout, as for what needs steps, is simulated, and time goes on.
 std::string Ask(const std::filesystem::path& socket, const std::string& method,
                 const std::string& path, const std::string& body,
                 std::chrono::milliseconds timeout = kCallTimeout);

@@ -12,11 +12,12 @@ namespace understudy::run {
 using services::Picture;
 
 Cameras::Cameras(const emulator::World& world, std::size_t robot, std::filesystem::path program,
-                 std::filesystem::path control_socket)
+                 std::filesystem::path control_socket, bool holds_steps)
     : robot_(robot),
       cameras_(world.robot(robot).spec().cameras),
       program_(std::move(program)),
       control_socket_(std::move(control_socket)),
+      holds_steps_(holds_steps),
       open_(cameras_.size()),
       begun_(cameras_.size()),
       looked_(cameras_.size()),

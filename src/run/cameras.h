@@ -30,20 +30,23 @@ namespace understudy::run {
 
 // One picture is drawn at a time, of the state after the cycle in which its turn comes; cameras
 // take turns. What is ordered meanwhile shares the next picture of its camera. The loop hands over
-// a copy of the state and never waits. A thread waits for the process that draws, which is started
-// for the first picture and kept. Nothing is drawn that is not ordered.
+// a copy of the state and never waits, but on a clock of programs: there no step is made until
+// the picture is drawn, which takes real time. A thread waits for the process that draws, which is
+// started for the first picture and kept. Nothing is drawn that is not ordered.
 class Cameras final : public Attachment,
                       public services::PictureSource,
                       public server::CameraViews {
  public:
   // Of the robot of that number. `program` is understudy-view. `world` must outlive this.
+  // `holds_steps`: until a picture is drawn.
   Cameras(const emulator::World& world, std::size_t robot, std::filesystem::path program,
-          std::filesystem::path control_socket);
+          std::filesystem::path control_socket, bool holds_steps = false);
   ~Cameras() override;
 
   Order Begin(std::string_view service) noexcept override;
   const services::Picture* Front() const noexcept override { return pictures_.Front(); }
   void Pop() noexcept override;
+  bool AllowsStep() const override { return !holds_steps_ || !busy_ || Front() != nullptr; }
   std::optional<ExitCode> After(const Cycle& cycle) override;
   std::span<const robot::CameraSpec> cameras() const noexcept override { return cameras_; }
   std::future<services::Picture> Look(std::size_t camera) override;
@@ -72,6 +75,7 @@ class Cameras final : public Attachment,
   std::size_t robot_;
   std::vector<robot::CameraSpec> cameras_;
   std::filesystem::path program_, control_socket_;
+  bool holds_steps_;
 
   // Of the loop's thread:
   std::vector<Order> open_;  // by camera: the order that waits for its turn, 0 for none

@@ -39,8 +39,9 @@ time::Wait Loop::Wait() {
   if (!std::ranges::all_of(attachments_, &Attachment::AllowsStep)) {
     return pacer_.Hold(world_.step(), kGlance);
   }
-  if (programs_ != nullptr && !world_.pace().stands_still() &&
-      !programs_->Reach(world_.step() * period_, kGlance)) {
+  if (programs_ != nullptr && world_.pace().stands_still()) {
+    programs_->Stand();
+  } else if (programs_ != nullptr && !programs_->Reach(world_.step() * period_, kGlance)) {
     return {};
   }
   return pacer_.WaitFor(world_.pace(), world_.step(), kGlance);
@@ -50,15 +51,17 @@ Cycle Loop::Next() {
   const time::Wait wait = Wait();
   if (wait.overrun > 0) world_.events().Add(EventKind::kOverrun, 0, {wait.overrun});
   if (wait.shift > 0) world_.events().Add(EventKind::kStall, 0, {wait.shift});
+  // Clients of services wait by the programs' clock, and so do the services for them.
+  const time::Clock::Time instant = world_.step() * period_;
   Cycle cycle{.world = world_, .pacer = pacer_, .ticked = wait.due};
   if (wait.due) {
     if (programs_ != nullptr) programs_->HoldMessages(true);
-    cycle.health = world_.Tick(pacer_.reached());
+    cycle.health = world_.Tick(programs_ != nullptr ? instant : pacer_.reached());
     if (programs_ != nullptr) programs_->HoldMessages(false);
     cycle.took = std::chrono::duration<double>(clock_.Now() - pacer_.reached()).count();
   } else {
     // On a clock of their own the calls of programs wait for the step.
-    world_.Attend(clock_.Now(), programs_ == nullptr);
+    world_.Attend(programs_ != nullptr ? instant : clock_.Now(), programs_ == nullptr);
   }
   return cycle;
 }

@@ -30,6 +30,7 @@ using Wall = time::Clock::Time;
 // All *assumed*.
 constexpr seconds kProgramBegins(10);   // until a program has taken the clock
 constexpr microseconds kPatience(200);  // for a thread that sleeps and does not say why
+constexpr microseconds kGlance(50);     // between looks, with priority over what it looks at
 constexpr seconds kMostSleeping(60);    // until a thread that sleeps in the kernel goes on
 constexpr milliseconds kStalledStep(1);
 constexpr seconds kLookEvery(1);  // for processes that are not on the clock
@@ -106,6 +107,13 @@ bool Coordinator::Reach(Wall simulated, Wall most) {
   return false;
 }
 
+void Coordinator::Stand() {
+  for (std::uint32_t i = 0; i < page_.used; ++i) {
+    const Slot& slot = page_.slots[i];
+    if (slot.state == State::kBlocked && slot.kind == Kind::kAsks) Fire(i);
+  }
+}
+
 void Coordinator::End() {
   if (coasting_.joinable()) return;
   coasting_ = std::jthread([this](const std::stop_token& stop) { Coast(stop); });
@@ -170,6 +178,7 @@ bool Coordinator::Quiet(Wall until) {
     const std::uint64_t blocks = Blocks();
     const bool all_say = page_.running <= page_.loose;
     if ((all_say || patient) && AllAsleep(patient) && Blocks() == blocks) break;
+    if (all_say && page_.fifo != 0) std::this_thread::sleep_for(kGlance);  // others have less
     if (all_say) ::sched_yield();
     if (Stalls(now)) return true;
     if (now > until) return false;
@@ -205,7 +214,7 @@ bool Coordinator::AllAsleep(bool patient) {
   for (std::uint32_t i = page_.used; i-- > 0;) {
     const Slot& slot = page_.slots[i];
     const State state = slot.state;
-    if (state == State::kFree || (state == State::kBlocked && slot.kind == Kind::kSleep)) continue;
+    if (state == State::kFree || (state == State::kBlocked && slot.kind != Kind::kEvent)) continue;
     if (state != State::kBlocked && !patient && page_.loose == 0) return false;
     switch (sleepers_.Look(i)) {
       case Sleep::kAwake:
@@ -218,7 +227,7 @@ bool Coordinator::AllAsleep(bool patient) {
         break;
       case Sleep::kAsleep:
         if (slot.state == State::kFired) return false;  // its wake-up is on its way
-        if (slot.state != State::kRunning) break;
+        if (slot.state != State::kRunning || slot.kind == Kind::kStands) break;
         ++loose;
         NoteRawSleep(i);
         break;

@@ -42,6 +42,7 @@ class Coordinator final : public time::ProgramClock {
   void ProgramStarts() override;
   void ProgramEnded() override;
   void End() override;
+  void Stand() override;
 
   // Whether the program has not taken the clock for so long that it never will.
   bool program_is_missing() const { return missing_; }

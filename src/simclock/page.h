@@ -12,7 +12,7 @@
 namespace understudy::simclock {
 
 inline constexpr std::uint32_t kMagic = 0x554e4443U;
-inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kVersion = 3;
 inline constexpr std::uint32_t kMostThreads = 1024;  // *assumed*, of all programs together
 inline constexpr std::int64_t kNever = INT64_MAX;
 // Has the number of the descriptor of the page, which programs inherit.
@@ -32,8 +32,10 @@ enum class State : std::uint32_t {
 
 // How the coordinator ends a wait at its deadline.
 enum class Kind : std::uint32_t {
-  kSleep,  // by a futex, `Slot::wake`: nothing else ends it
-  kEvent,  // by a signal that interrupts the system call
+  kSleep,   // by a futex, `Slot::wake`: nothing else ends it
+  kEvent,   // by a signal that interrupts the system call
+  kAsks,    // as kSleep, and by a pause: what it will ask may end that
+  kStands,  // not at all: the thread is on real time, and simulated time stands
 };
 
 // One thread.

@@ -33,6 +33,9 @@ class ProgramClock {
   // From now on, in another thread, the clock goes at the pace of the wall: no step follows. May be
   // called again.
   virtual void End() = 0;
+
+  // Time is paused: threads that are about to ask the robot for something do so now.
+  virtual void Stand() = 0;
 };
 
 }  // namespace understudy::time

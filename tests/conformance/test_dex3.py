@@ -8,7 +8,7 @@ SIDES = ("left", "right")
 
 @pytest.fixture
 def grip(rehearse):
-    run = rehearse(ROBOT, "dex3_grip.py", options=("--start", "clamped"))
+    run = rehearse(ROBOT, "dex3_grip.py", options=("--start", "clamped", "--clock", "simulated"))
     assert run.succeeded()
     return run
 

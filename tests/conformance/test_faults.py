@@ -7,7 +7,7 @@ import statistics
 import pytest
 
 # Sensors without errors of their own, whose thermometers follow at once.
-CLAMPED = ("--start", "clamped", "--profile", "ideal", "--set", "robot.hanging.height=0.345",
+CLAMPED = ("--start", "clamped", "--clock", "simulated", "--profile", "ideal", "--set", "robot.hanging.height=0.345",
            # A mainboard that boots and warms within the time that the program looks.
            "--set", "robot.boot={states: 0.3, services: 0.4, motion: 0.6}", "--set", "robot.board.time_constant=0.1",
            # One that is empty must last for the rest of the table.

@@ -8,7 +8,7 @@ PROGRAMS = ["g1_ankle_swing.py", "g1_ankle_swing_cpp.py"]
 @pytest.fixture
 def swing(rehearse):
     """swing(program): its run on a G1 whose pelvis is held in the air."""
-    return lambda program: rehearse("g1", program, options=("--start", "clamped"))
+    return lambda program: rehearse("g1", program, options=("--start", "clamped", "--clock", "simulated"))
 
 
 @pytest.mark.parametrize("program", PROGRAMS)

@@ -10,7 +10,7 @@ def stands_up_and_lies_down(run):
 
 
 def test_a_go2_stands_up_and_lies_down_again_for_the_python_sdk_once_it_has_released_the_motors(rehearse):
-    run = rehearse("go2", "go2_stand.py")
+    run = rehearse("go2", "go2_stand.py", options=("--clock", "simulated"))
 
     stands_up_and_lies_down(run)
     assert "motion service: none" in run.output
@@ -18,7 +18,7 @@ def test_a_go2_stands_up_and_lies_down_again_for_the_python_sdk_once_it_has_rele
 
 def test_a_go2_stands_up_and_lies_down_again_for_the_cpp_sdk_which_leaves_heads_unset(rehearse):
     # The extension that carries the C++ SDK leaves head and level_flag of its Go2 commands 0.
-    run = rehearse("go2", "go2_stand_cpp.py")
+    run = rehearse("go2", "go2_stand_cpp.py", options=("--clock", "simulated"))
 
     stands_up_and_lies_down(run)
     assert run.commands["unset_heads"] > 0

@@ -13,7 +13,7 @@ MAKES = {
 @pytest.fixture(params=MAKES)
 def hands(request, rehearse):
     run = rehearse("g1", "hands_close.py", request.param,
-                   options=("--start", "clamped", "--hands", request.param))  # fmt: skip
+                   options=("--start", "clamped", "--hands", request.param, "--clock", "simulated"))  # fmt: skip
     assert run.succeeded()
     return request.param, run
 

@@ -9,7 +9,7 @@ GESTURES = ("Hello", "Stretch", "Content", "Scrape", "Heart", "Dance2", "RiseSit
 
 @pytest.fixture(scope="module")
 def calls(rehearse):
-    run = rehearse("go2", "motions.py", options=("--start", "standing", "--speed", "4"))
+    run = rehearse("go2", "motions.py", options=("--start", "standing", "--clock", "simulated"))
     assert run.succeeded()
     return run.report["calls"]
 

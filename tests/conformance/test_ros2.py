@@ -22,3 +22,11 @@ def test_a_node_finds_the_robots_topics_hears_one_and_does_it_no_harm(rehearse, 
         assert json.loads(told["heard"]) == {"connection_state": "not_connected"}
     assert run.refused == {"unmatched": 1}
     assert run.commands["accepted"] == 0
+
+
+def test_a_node_on_the_simulated_clock_finds_the_robots_topics_and_hears_one(rehearse):
+    run = rehearse("go2", "ros2_node.py", options=("--clock", "simulated"))
+
+    assert run.succeeded()
+    assert run.report["types"]["/lowstate"] == ["unitree_go/msg/LowState"]
+    assert json.loads(run.report["heard"]) == {"connection_state": "not_connected"}

@@ -16,7 +16,8 @@ ROBOTS = list(fleet())
 def walks(rehearse):
     """By robot, what services_walk.py reports; three robots at a time."""
     with concurrent.futures.ThreadPoolExecutor(3) as pool:
-        runs = pool.map(lambda robot: rehearse(robot, "services_walk.py", ",".join(fleet()[robot]["apis"])), ROBOTS)
+        runs = pool.map(lambda robot: rehearse(robot, "services_walk.py", ",".join(fleet()[robot]["apis"]),
+                                              options=("--clock", "simulated")), ROBOTS)
         return {robot: run.report for robot, run in zip(ROBOTS, runs) if run.succeeded()}
 
 

@@ -20,7 +20,7 @@ def walks(rehearse):
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         runs = pool.map(
             lambda robot: rehearse(robot, "walks.py", ",".join(fleet()[robot]["apis"]),
-                                   options=("--start", "standing", "--speed", "2")), ROBOTS)
+                                   options=("--start", "standing", "--clock", "simulated")), ROBOTS)
         return {robot: run.report for robot, run in zip(ROBOTS, runs) if run.succeeded()}
 
 

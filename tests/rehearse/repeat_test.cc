@@ -32,6 +32,9 @@ struct Talk {
   std::size_t other = 10'000;  // this one asks for another angle
   std::size_t states = 1500;
   std::size_t heard = 10'000;  // in this state the robot is another
+  std::size_t again = 10'000;  // this state is said also beyond `states`
+  std::size_t size = 2000;     // bytes of the last state, more than its type has
+  char end = 0;                // its byte 1999
   std::string ends = "0.5 s";  // what an event says of the program's end, at 1 s
 };
 
@@ -61,8 +64,13 @@ class RepeatTest : public testing::Test {
         record::EncodeEvent({.kind = "program_end", .text = play.ends}, &ended);
         writer.Write(event, at, at, ended.span());
       }
-      if (i < play.states) writer.Write(state, at, at, record::AsBytes(message));
-      message[5] = 0;
+      if (i == 1499) message[1999] = play.end;
+      if (i == 1499) message.resize(play.size);
+      if (i < play.states || i == play.again) {
+        writer.Write(state, at, at, record::AsBytes(message));
+      }
+      message.resize(2000);
+      message[5] = message[1999] = 0;
       if (i >= play.commands) continue;
       const float angle = i == play.other ? 0.75F : 0.5F;
       std::memcpy(&message[4 + q.offset], &angle, sizeof(angle));
@@ -95,6 +103,10 @@ TEST_F(RepeatTest, NamesTheFieldThatDiffersFirst) {
 TEST_F(RepeatTest, NamesTheTimeThatDiffersFirst) {
   EXPECT_EQ(Difference({}, {.late = 1000, .other = 1001}),
             "message 1001 of /lowcmd from client was at 2 s, then at 2.002 s");
+  EXPECT_EQ(Difference({}, {.late = 1000, .heard = 1000}),
+            "message 1001 of /lowcmd from client was at 2 s, then at 2.002 s");
+  EXPECT_EQ(Difference({.states = 0}, {.late = 0, .states = 0}),
+            "message 1 of /lowcmd from client was at 0 s, then at 0.002 s");
 }
 
 TEST_F(RepeatTest, NamesWhatOneRunAloneSays) {
@@ -102,6 +114,15 @@ TEST_F(RepeatTest, NamesWhatOneRunAloneSays) {
             "message 1500 of /lowstate from robot at 2.998 s is only in the second run");
   EXPECT_EQ(Difference({}, {.commands = 0}),
             "message 1 of /lowcmd from client at 0 s is only in the first run");
+  EXPECT_EQ(Difference({.commands = 0, .states = 0}, {.commands = 0, .states = 0, .again = 1450}),
+            "message 1 of /lowstate from robot at 2.9 s is only in the second run");
+}
+
+TEST_F(RepeatTest, NamesBytesThatAreOfNoField) {
+  EXPECT_EQ(Difference({}, {.end = 1}),
+            "message 1500 of /lowstate from robot at 2.998 s: byte 1999 differs");
+  EXPECT_EQ(Difference({}, {.size = 2001}),
+            "message 1500 of /lowstate from robot at 2.998 s: was 2000 bytes long, then 2001");
 }
 
 TEST_F(RepeatTest, NamesATextThatDiffers) {

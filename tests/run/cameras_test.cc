@@ -48,11 +48,11 @@ class CamerasTest : public test::MujocoTest {
   }
   ~CamerasTest() override { spdlog::set_default_logger(before_); }
 
-  void Start(const std::string& program, const std::string& socket) {
+  void Start(const std::string& program, const std::string& socket, bool holds_steps = false) {
     cameras_.reset();
     cameras_ = std::make_unique<Cameras>(
         *world_, 0, std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "tests/run/data" / program,
-        folder_.path() / socket);
+        folder_.path() / socket, holds_steps);
   }
   void Step() {
     world_->Tick(clock_.Now());
@@ -99,6 +99,21 @@ TEST_F(CamerasTest, ShowTheStateAfterTheStepInWhichTheyAreAsked) {
   EXPECT_EQ(picture.order, order);
   EXPECT_EQ(picture.outcome, kDrawn);
   EXPECT_EQ(text, "front 90 1.00 0.007");
+}
+
+TEST_F(CamerasTest, HoldTheStepsOfAClockOfProgramsUntilThePictureIsDrawn) {
+  cameras_->Begin("videohub");
+  Step();
+  EXPECT_TRUE(cameras_->AllowsStep());
+  Start("draws.py", "another", /*holds_steps=*/true);
+  EXPECT_TRUE(cameras_->AllowsStep());
+  cameras_->Begin("videohub");
+  Step();
+  const bool allows = cameras_->AllowsStep();
+  EXPECT_EQ(allows, allows && cameras_->Front() != nullptr);
+  EXPECT_TRUE(test::Eventually([this] { return cameras_->AllowsStep(); }));
+  EXPECT_EQ(Taken(), "front 90 1.00 0.002");
+  EXPECT_TRUE(cameras_->AllowsStep());
 }
 
 TEST_F(CamerasTest, TakeTurnsAndShareWhatIsOrderedMeanwhile) {

@@ -271,8 +271,10 @@ class SlowPrograms final : public time::ProgramClock {
   void ProgramStarts() override {}
   void ProgramEnded() override {}
   void End() override {}
+  void Stand() override { ++stood; }
 
   std::vector<time::Clock::Time> reached{};
+  int stood = 0;
   std::string held{};
 };
 
@@ -313,6 +315,15 @@ TEST_F(LoopTest, CallsOfProgramsOnTheirOwnClockWaitForTheStep) {
   EXPECT_EQ(cycles, "--ct");
 }
 
+TEST_F(LoopTest, ServicesWaitForProgramsByTheClockOfThese) {
+  Start();
+  clock_.Advance(1h);
+  SlowPrograms programs;
+  StopRule stop(0.003, 0.001, nullptr);
+  Loop(&clock_, world_.get(), {&stop}, &programs).Run();
+  EXPECT_EQ(services_.polled_at(), 2ms);
+}
+
 TEST_F(LoopTest, PauseStopsTheTimeOfPrograms) {
   Start();
   SlowPrograms programs;
@@ -326,6 +337,7 @@ TEST_F(LoopTest, PauseStopsTheTimeOfPrograms) {
   });
   Loop(&clock_, world_.get(), {&probe}, &programs).Run();
   EXPECT_EQ(programs.reached.size(), reached);
+  EXPECT_EQ(programs.stood, 20 - 4);  // since the cycle that took the request
 }
 
 }  // namespace

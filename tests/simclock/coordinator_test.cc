@@ -1,5 +1,7 @@
 #include "simclock/coordinator.h"
 
+#include <csignal>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -49,6 +51,60 @@ TEST(CoordinatorTest, AThreadThatIsSeenGoneAfterTheEndWasToldHoldsNoTime) {
   for (int i = 0; i < 3 && !coordinator.Reach(1ms, 1s); ++i) {
   }
   EXPECT_TRUE(coordinator.Reach(2ms, 1s));
+}
+
+TEST(CoordinatorTest, AThreadThatEndedWhileItWaitedWasNotRunning) {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  const auto page = std::make_unique<Page>();
+  page->used = 1;
+  page->slots[0].pid = child;
+  page->slots[0].tid = child;
+  page->slots[0].state = State::kBlocked;
+  page->slots[0].kind = Kind::kEvent;
+  page->slots[0].deadline = kNever;
+  Coordinator coordinator(page.get(), /*realtime=*/false);
+  using namespace std::chrono_literals;
+  EXPECT_TRUE(coordinator.Reach(1ms, 1s));
+  EXPECT_EQ(page->running, 0);
+}
+
+// Else the loop would look without end, and keep the core from all that have no priority.
+TEST(CoordinatorTest, AThreadForWhichTimeStandsDoesNotCountAsOneBesideWhichItGoesOn) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    while (true) ::pause();
+  }
+  const auto page = std::make_unique<Page>();
+  page->used = 1;
+  page->running = 1;
+  page->loose = 1;  // it was, before it began to ask
+  page->slots[0].pid = child;
+  page->slots[0].tid = child;
+  page->slots[0].state = State::kRunning;
+  page->slots[0].kind = Kind::kStands;
+  Coordinator coordinator(page.get(), /*realtime=*/false);
+  using namespace std::chrono_literals;
+  EXPECT_FALSE(coordinator.Reach(1ms, 100ms));
+  EXPECT_EQ(page->loose, 0);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+}
+
+TEST(CoordinatorTest, WhatMayEndAPauseIsNotHeldByIt) {
+  const auto page = std::make_unique<Page>();
+  page->used = 2;
+  for (Slot& slot : {std::ref(page->slots[0]), std::ref(page->slots[1])}) {
+    slot.state = State::kBlocked;
+    slot.deadline = kFirstInstant + 1'000'000;
+  }
+  page->slots[0].kind = Kind::kSleep;
+  page->slots[1].kind = Kind::kAsks;
+  Coordinator coordinator(page.get(), /*realtime=*/false);
+  coordinator.Stand();
+  EXPECT_EQ(page->slots[0].state, State::kBlocked);
+  EXPECT_EQ(page->slots[1].state, State::kFired);
 }
 
 TEST(CoordinatorTest, TheProgramsExitCodeIsKept) {
@@ -116,6 +172,15 @@ TEST(CoordinatorTest, AThreadThatComputesWhileItSaysThatItWaitsIsTold) {
                        {.realtime = true, .most_computing = std::chrono::milliseconds(200)});
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.unrepeatable, HasSubstr("computes and does not wait"));
+}
+
+TEST(CoordinatorTest, TimeStandsWhileAThreadWaitsInRealTime) {
+  for (const bool realtime : {false, true}) {
+    const test::ClockedRun run =
+        test::RunOnClock({UNDERSTUDY_ODD_WAITS, "stands"}, {.realtime = realtime});
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.unrepeatable, IsEmpty());
+  }
 }
 
 // With it Linux may spin for ever in removing the child from /proc.

@@ -19,7 +19,9 @@ class FakeServices final : public services::ServicePort {
     calls_.reserve(waiting_.size());
   }
 
-  std::span<const services::Call> Poll(authority::MotorOwner* owner, WallTime) noexcept override {
+  std::span<const services::Call> Poll(authority::MotorOwner* owner,
+                                       WallTime now) noexcept override {
+    polled_at_ = now;
     calls_.clear();
     for (const Effect& effect : waiting_) {
       effect(owner);
@@ -31,6 +33,7 @@ class FakeServices final : public services::ServicePort {
     brought_.clear();
     return calls_;
   }
+  WallTime polled_at() const { return polled_at_; }
   // "release" of no parameter is all that there is.
   std::optional<services::Call> Answer(std::string_view service, std::int64_t api_id,
                                        std::string_view, authority::MotorOwner* owner,
@@ -54,6 +57,7 @@ class FakeServices final : public services::ServicePort {
   services::ServiceCounts counts() const override { return counts_; }
 
  private:
+  WallTime polled_at_{};
   std::vector<Effect> waiting_;
   std::vector<services::Call> calls_, brought_;
   services::ServiceCounts counts_;

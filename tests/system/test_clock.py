@@ -155,6 +155,29 @@ def test_pausing_the_robot_stops_the_programs_time(understudy):
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.parametrize("options", [(), LOOKING])
+def test_what_a_program_asks_takes_the_same_time_always_and_none_in_a_pause(understudy, options):
+    script = """
+now() { date +%s.%N; }; ctl() { "$UNDERSTUDY" ctl "$@" >&2; }
+now; ctl status && ctl damage && ctl push base_link 0 20 0; now; ctl pause && ctl snapshot; now; ctl step 250; now; ctl resume
+"""
+    done = understudy("exec", "go2", *CLOCK, *options, "--", "sh", "-c", script)
+
+    assert done.returncode == 0, done.stdout + done.stderr
+    begun, asked, paused, stepped = map(float, done.stdout.split())
+    assert asked - begun == pytest.approx(0.03, abs=1e-6)
+    assert paused - asked == pytest.approx(0.01, abs=0.003)
+    assert stepped - paused == pytest.approx(0.25, abs=0.002)  # of 1 ms
+
+
+def test_a_program_that_asks_and_requests_says_the_same_twice(understudy, tmp_path):
+    asks = "for i in 1 2 3; do sleep 0.33; $UNDERSTUDY ctl snapshot --parts qpos; $UNDERSTUDY ctl push base_link 0 30 0; done; sleep 0.5"
+    done = rehearsed(understudy, tmp_path, ["sh", "-c", asks], "--twice")
+
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "repeatable: yes" in done.stdout
+
+
 def test_what_cannot_take_the_clock_is_refused(understudy, tmp_path):
     static = tmp_path / "static"
     source = tmp_path / "static.c"

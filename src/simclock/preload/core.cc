@@ -24,9 +24,12 @@ OWN int reads = 0;
 OWN bool slept = false;        // and has sent nothing since
 OWN std::int64_t woke_at = 0;  // the processor's time of this thread then [ns]
 OWN bool collects = false;
+OWN bool stands = false;
 #undef OWN
 
-pthread_key_t key;                    // frees the slot of a thread that ends
+pthread_key_t key;  // frees the slot of a thread that ends
+// What it takes to start a process that asks the robot [ns]; *assumed*, of a computer with time.
+constexpr std::int64_t kAsking = 10'000'000;
 constexpr int kAboveCoordinator = 2;  // real-time priority; the coordinator has 1
 
 // Of this thread [ns].
@@ -153,7 +156,10 @@ void LeavePriority() {
   REAL(sched_setscheduler)(0, SCHED_OTHER, &usual);
 }
 
+bool TimeStands() { return stands; }
+
 Slot* Waiter() {
+  if (stands) return nullptr;
   if (self == nullptr && !in_robot) Adopt(TakeSlot());
   return self;
 }
@@ -211,11 +217,11 @@ bool IsSimulated(clockid_t clock) {
 
 // The collector sleeps until all others wait, however short. Whether they do when it looks first
 // is chance, without a core to themselves.
-int SleepUntil(std::int64_t deadline, const char* what) {
+int SleepUntil(std::int64_t deadline, const char* what, Kind kind) {
   if (Now() >= deadline) return 0;
   if (collects) deadline = Now() + 1;
   const std::uint32_t word = self->wake.load();
-  Block(what, Kind::kSleep, deadline);
+  Block(what, kind, deadline);
   while (self->state.load() == State::kBlocked) {
     if (Futex(&self->wake, FUTEX_WAIT, word) == -EINTR) break;
   }
@@ -251,3 +257,14 @@ void Think() {
 }
 
 }  // namespace understudy::simclock
+
+// For code of Understudy in a program: while `stand`, this thread is on real time, and simulated
+// time stands, also where the thread waits. It costs a little before, lest a loop asks for ever.
+SIMCLOCK_EXPORT void simclock_stand(bool stand) {
+  using namespace understudy::simclock;  // NOLINT(google-build-using-namespace)
+  if (stand == stands || page == nullptr || in_robot) return;
+  if (stand && Waiter() == nullptr) return;
+  if (stand) SleepUntil(Now() + kAsking, "ask", Kind::kAsks);
+  self->kind = stand ? Kind::kStands : Kind::kEvent;
+  stands = stand;
+}

@@ -39,6 +39,11 @@ bool OnClock(const void* caller);
 Slot* Waiter();
 // Whether the deadlines of this thread are simulated.
 inline bool Waits() { return page != nullptr && Waiter() != nullptr; }
+bool TimeStands();  // for this thread, which is on real time
+// Whether threads keep the core and the policy that the clock gave them.
+inline bool Keeps() { return page != nullptr && !in_robot; }
+// Whether the timers of this thread are simulated.
+inline bool HasTimers() { return Keeps() && !TimeStands(); }
 
 void Collect();             // this thread is Cyclone's collector of garbage
 void MakeSlotKey();         // before there are other threads
@@ -92,7 +97,7 @@ long Futex(void* word, int operation, std::uint32_t value, const timespec* timeo
            std::uint32_t mask = 0xffffffffU);
 
 // Returns 0 at the deadline or EINTR.
-int SleepUntil(std::int64_t deadline, const char* what);
+int SleepUntil(std::int64_t deadline, const char* what, Kind kind = Kind::kSleep);
 void SleepThrough(std::int64_t deadline, const char* what);
 // FUTEX_WAIT: returns 0, EAGAIN, EINTR or ETIMEDOUT.
 int FutexWait(void* word, std::uint32_t value, std::uint32_t mask, bool is_private,

@@ -96,7 +96,7 @@ __attribute__((constructor(101))) void Start() {
 
 bool OnClock(const void* caller) {
   if (page == nullptr) return false;
-  if (!in_robot) return true;
+  if (!in_robot) return !TimeStands();
   const auto at = reinterpret_cast<std::uintptr_t>(caller);
   return at >= cyclone_begin && at < cyclone_end;
 }

@@ -91,9 +91,6 @@ pid_t LastChild() {
   return last;
 }
 
-// Threads keep the core and the policy that the clock gave them.
-bool Keeps() { return page != nullptr && !in_robot; }
-
 const sigset_t* WithoutOurs(int how, const sigset_t* set, sigset_t* copy) {
   if (!Keeps() || set == nullptr || how == SIG_UNBLOCK) return set;
   *copy = *set;

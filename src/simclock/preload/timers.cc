@@ -156,7 +156,7 @@ void DropTimer(int fd) {
 using namespace understudy::simclock;  // NOLINT(google-build-using-namespace)
 
 SIMCLOCK_EXPORT int timerfd_create(int clock, int flags) noexcept {
-  if (page == nullptr || in_robot) return REAL(timerfd_create)(clock, flags);
+  if (!HasTimers()) return REAL(timerfd_create)(clock, flags);
   const int fd = ::eventfd(0, ((flags & TFD_CLOEXEC) != 0 ? EFD_CLOEXEC : 0) |
                                   ((flags & TFD_NONBLOCK) != 0 ? EFD_NONBLOCK : 0));
   if (fd < 0) return -1;
@@ -174,7 +174,7 @@ SIMCLOCK_EXPORT int timerfd_create(int clock, int flags) noexcept {
 }
 SIMCLOCK_EXPORT int timerfd_settime(int fd, int flags, const itimerspec* wanted,
                                     itimerspec* old) noexcept {
-  if (page == nullptr || in_robot) return REAL(timerfd_settime)(fd, flags, wanted, old);
+  if (!HasTimers()) return REAL(timerfd_settime)(fd, flags, wanted, old);
   const Locked locked;
   Timer* const timer = Find(fd);
   if (timer == nullptr) {
@@ -190,7 +190,7 @@ SIMCLOCK_EXPORT int timerfd_settime(int fd, int flags, const itimerspec* wanted,
   return 0;
 }
 SIMCLOCK_EXPORT int timerfd_gettime(int fd, itimerspec* now) noexcept {
-  if (page == nullptr || in_robot) return REAL(timerfd_gettime)(fd, now);
+  if (!HasTimers()) return REAL(timerfd_gettime)(fd, now);
   const Locked locked;
   const Timer* const timer = Find(fd);
   if (timer == nullptr) {
@@ -202,7 +202,7 @@ SIMCLOCK_EXPORT int timerfd_gettime(int fd, itimerspec* now) noexcept {
 }
 
 SIMCLOCK_EXPORT int timer_create(clockid_t clock, sigevent* event, timer_t* id) noexcept {
-  if (page == nullptr || in_robot || !IsSimulated(clock)) {
+  if (!HasTimers() || !IsSimulated(clock)) {
     return REAL(timer_create)(clock, event, id);
   }
   const Locked locked;
@@ -224,7 +224,7 @@ SIMCLOCK_EXPORT int timer_create(clockid_t clock, sigevent* event, timer_t* id) 
 }
 SIMCLOCK_EXPORT int timer_settime(timer_t id, int flags, const itimerspec* wanted,
                                   itimerspec* old) noexcept {
-  if (page == nullptr || in_robot) return REAL(timer_settime)(id, flags, wanted, old);
+  if (!HasTimers()) return REAL(timer_settime)(id, flags, wanted, old);
   const Locked locked;
   Timer* const timer = Of(id);
   if (timer == nullptr) return -1;
@@ -233,7 +233,7 @@ SIMCLOCK_EXPORT int timer_settime(timer_t id, int flags, const itimerspec* wante
   return 0;
 }
 SIMCLOCK_EXPORT int timer_gettime(timer_t id, itimerspec* now) noexcept {
-  if (page == nullptr || in_robot) return REAL(timer_gettime)(id, now);
+  if (!HasTimers()) return REAL(timer_gettime)(id, now);
   const Locked locked;
   const Timer* const timer = Of(id);
   if (timer == nullptr) return -1;
@@ -241,10 +241,10 @@ SIMCLOCK_EXPORT int timer_gettime(timer_t id, itimerspec* now) noexcept {
   return 0;
 }
 SIMCLOCK_EXPORT int timer_getoverrun(timer_t id) noexcept {
-  return page == nullptr || in_robot ? REAL(timer_getoverrun)(id) : 0;
+  return HasTimers() ? 0 : REAL(timer_getoverrun)(id);
 }
 SIMCLOCK_EXPORT int timer_delete(timer_t id) noexcept {
-  if (page == nullptr || in_robot) return REAL(timer_delete)(id);
+  if (!HasTimers()) return REAL(timer_delete)(id);
   const Locked locked;
   Timer* const timer = Of(id);
   if (timer == nullptr) return -1;
@@ -253,7 +253,7 @@ SIMCLOCK_EXPORT int timer_delete(timer_t id) noexcept {
 }
 
 SIMCLOCK_EXPORT int getitimer(__itimer_which_t which, itimerval* now) noexcept {
-  if (page == nullptr || in_robot || which != ITIMER_REAL) return REAL(getitimer)(which, now);
+  if (!HasTimers() || which != ITIMER_REAL) return REAL(getitimer)(which, now);
   const Locked locked;
   const itimerspec left = Get(timers[0]);
   *now = {.it_interval = Micros(Ns(left.it_interval)), .it_value = Micros(Ns(left.it_value))};
@@ -261,7 +261,7 @@ SIMCLOCK_EXPORT int getitimer(__itimer_which_t which, itimerval* now) noexcept {
 }
 SIMCLOCK_EXPORT int setitimer(__itimer_which_t which, const itimerval* wanted,
                               itimerval* old) noexcept {
-  if (page == nullptr || in_robot || which != ITIMER_REAL) {
+  if (!HasTimers() || which != ITIMER_REAL) {
     return REAL(setitimer)(which, wanted, old);
   }
   if (old != nullptr) getitimer(which, old);
@@ -273,14 +273,14 @@ SIMCLOCK_EXPORT int setitimer(__itimer_which_t which, const itimerval* wanted,
   return 0;
 }
 SIMCLOCK_EXPORT unsigned alarm(unsigned seconds) noexcept {
-  if (page == nullptr || in_robot) return REAL(alarm)(seconds);
+  if (!HasTimers()) return REAL(alarm)(seconds);
   const itimerval wanted{.it_interval = {}, .it_value = {static_cast<time_t>(seconds), 0}};
   itimerval old{};
   setitimer(ITIMER_REAL, &wanted, &old);
   return static_cast<unsigned>(old.it_value.tv_sec + (old.it_value.tv_usec > 0 ? 1 : 0));
 }
 SIMCLOCK_EXPORT useconds_t ualarm(useconds_t us, useconds_t interval) noexcept {
-  if (page == nullptr || in_robot) return REAL(ualarm)(us, interval);
+  if (!HasTimers()) return REAL(ualarm)(us, interval);
   const itimerval wanted{.it_interval = Micros(interval * std::int64_t{1000}),
                          .it_value = Micros(us * std::int64_t{1000})};
   itimerval old{};

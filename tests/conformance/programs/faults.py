@@ -102,6 +102,7 @@ def main():
         by = BY.get((component, fault))
         understudy("ctl", "fault", component, fault, *([] if by is None else ["--by", by]))
         is_service = component.startswith("service.")
+        time.sleep(0.01)  # a fault acts from the next step on
         during = [call(client)] if is_service else looked()
         understudy("ctl", "fault", component, "none")
         time.sleep(0.2)

@@ -6,6 +6,7 @@ still came in the last second that it was left alone.
 """
 
 import json
+import time
 
 from unitree_sdk2py.g1.loco.g1_loco_client import LocoClient as G1LocoClient
 from unitree_sdk2py.h1.loco.h1_loco_client import LocoClient as H1LocoClient
@@ -20,11 +21,12 @@ COMMANDED, LEFT_ALONE = 5.0, 5.0  # s of the robot's time
 
 def go(seconds, command=lambda: None):
     """Goes on for that long by the robot's clock; returns its time and place then."""
-    time, place = start = Truth().read()
-    while time < start[0] + seconds:
+    now, place = start = Truth().read()
+    while now < start[0] + seconds:
         command()
-        time, place = Truth().read()
-    return time, place
+        time.sleep(0.1)
+        now, place = Truth().read()
+    return now, place
 
 
 def main():
