@@ -27,7 +27,8 @@ signals::TruthView ViewOf(const record::Truth& truth, const record::BaseAddress&
           .base_velocity = free ? qvel.subspan(base.qvel, 6) : qvel.first(0),
           .tau = truth.tau,
           .foot_force = truth.foot_force,
-          .crane_tension = truth.crane_tension};
+          .crane_tension = truth.crane_tension,
+          .nearest_obstacle = truth.nearest_obstacle};
 }
 
 double ValueOf(const json& value) {

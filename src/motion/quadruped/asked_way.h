@@ -22,6 +22,9 @@ class AskedWay {
   // Whether a program's Move lasts until the next one or StopMove.
   void Last(bool on) { lasting_ = on; }
 
+  // Whether what was asked for last avoids obstacles.
+  bool avoids() const { return avoids_; }
+
   // One step of dt [s]: forward, left m/s, turn rad/s.
   Eigen::Vector3d Step(double dt, const Eigen::Vector3d& here);
 
@@ -30,6 +33,7 @@ class AskedWay {
   Eigen::Vector3d velocity_{0, 0, 0};  // of the last Move: m/s, rad/s
   double counts_for_ = 0;              // s that it still does
   bool lasting_ = false;
+  bool avoids_ = false;
 };
 
 }  // namespace understudy::motion
