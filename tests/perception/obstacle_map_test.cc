@@ -83,6 +83,25 @@ TEST_F(ObstacleMapTest, HasWhatIsHigherThanAStep) {
   EXPECT_NEAR(Ahead(), 0.8, 0.06);
 }
 
+TEST_F(ObstacleMapTest, HasWhatHangsOverGroundThatWasSeenBesideIt) {
+  Begin();
+  for (double y = -0.3; y <= 0.3; y += 0.04) Add({0.86, y, 0});
+  AddFace(1, 0.3, 0.32);
+  EXPECT_NEAR(Ahead(), 1, 0.06);
+}
+
+TEST_F(ObstacleMapTest, HasTheNearestOfTwoWallsOnEachSide) {
+  Begin();
+  for (const double x : {-2.0, -1.2, 1.2, 2.0}) AddFace(x, 0, 0.5);
+  EXPECT_NEAR(Ahead(), 1.2, 0.06);
+  double behind = -9;
+  for (const Vector2d& at : Read().all()) {
+    if (std::abs(at.y()) < 0.1 && at.x() < 0) behind = std::max(behind, at.x());
+    EXPECT_LT(at.norm(), 1.4);
+  }
+  EXPECT_NEAR(behind, -1.2, 0.06);
+}
+
 TEST_F(ObstacleMapTest, HasATablesEdgeAndNotWhatItPassesUnder) {
   Begin();
   AddGround();
@@ -116,11 +135,11 @@ TEST_F(ObstacleMapTest, TellsPlacesFromWhereTheBaseIsNow) {
   Begin();
   AddGround();
   AddFace(2, 0, 0.5, 0.1);
-  Begin(1.5, 0, M_PI / 2);
+  Begin(1.5, -0.5, M_PI / 2);
   ASSERT_GT(Read().count, 0U);
   for (const Vector2d& at : Read().all()) {
     EXPECT_NEAR(at.y(), -0.5, 0.06) << "to the right of one that has turned left";
-    EXPECT_LT(std::abs(at.x()), 0.2);
+    EXPECT_NEAR(at.x(), 0.5, 0.2);
   }
 }
 
@@ -130,8 +149,8 @@ TEST_F(ObstacleMapTest, DoesNotTakeOneEndOfItsRingForTheOther) {
   AddFace(1, 0, 0.5);
   Begin(5.12, 0);  // 64 cells on
   EXPECT_EQ(Read().count, 0U);
-  AddFace(6.12, 0, 0.02);
-  EXPECT_EQ(Read().count, 0U) << "what was there before is gone";
+  AddFace(6.12, 0, 0.5);
+  EXPECT_NEAR(Ahead(), 1, 0.06) << "it is what is there now";
 }
 
 TEST_F(ObstacleMapTest, AllocatesNothing) {

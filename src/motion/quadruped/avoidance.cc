@@ -21,7 +21,7 @@ constexpr double kPast = 0.5;        // m beyond an obstacle that a way round it
 constexpr double kRoundSpeed = 0.4;  // m/s
 constexpr double kWait = 0.3;        // s for the first cloud
 constexpr double kKeeps = 1.5;       // s that it keeps to a side
-constexpr double kTurns[] = {0.26, 0.52, 0.79, 1.05};  // rad from its way: 15° to 60°
+constexpr double kTurns[] = {0.26, 0.52, 0.79};  // rad from its way: 15° to 45°
 
 double Most(const Vector2d& along) {
   return (along.x() > 0 ? kAhead : kBehind) * std::abs(along.x()) + kAside * std::abs(along.y());

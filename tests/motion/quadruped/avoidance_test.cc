@@ -42,7 +42,7 @@ TEST_F(AvoidanceTest, LeavesAWishAsItIsWhereNothingIsInTheWay) {
   EXPECT_EQ(Limit(wish, Seen({})), wish);
   EXPECT_EQ(Limit(wish, Wall(-0.8, -1, 1)), wish) << "behind it";
   EXPECT_EQ(Limit({1, 0, 0}, Seen({{1, 0.4}, {0.6, -0.4}})), Vector3d(1, 0, 0)) << "beside it";
-  EXPECT_EQ(Limit({0.3, 0, 0}, Wall(kNose + 0.8, -1, 1)), Vector3d(0.3, 0, 0)) << "far enough";
+  EXPECT_EQ(Limit({0.3, 0, 0}, Wall(kNose + 0.8, -0.1, 0.1)), Vector3d(0.3, 0, 0)) << "far enough";
 }
 
 TEST_F(AvoidanceTest, SlowsDownBeforeAWallAndStops) {
@@ -83,10 +83,10 @@ TEST_F(AvoidanceTest, GoesRoundWhatItSeesTheEndOf) {
 }
 
 TEST_F(AvoidanceTest, KeepsToTheSideOnWhichItGoesRound) {
-  ASSERT_GT(Limit({0.8, 0, 0}, Wall(kNose + 0.8, -0.3, 0.2)).y(), 0);
-  EXPECT_GT(Limit({0.8, 0, 0}, Wall(kNose + 0.8, -0.2, 0.25)).y(), 0) << "the right is shorter";
+  ASSERT_GT(Limit({0.8, 0, 0}, Wall(kNose + 0.8, -0.4, 0.1)).y(), 0);
+  EXPECT_GT(Limit({0.8, 0, 0}, Wall(kNose + 0.8, -0.15, 0.35)).y(), 0) << "the right is shorter";
   for (int i = 0; i < 1000; ++i) Limit({0.8, 0, 0}, Seen({}));
-  EXPECT_LT(Limit({0.8, 0, 0}, Wall(kNose + 0.8, -0.1, 0.5)).y(), 0) << "that was long ago";
+  EXPECT_LT(Limit({0.8, 0, 0}, Wall(kNose + 0.8, -0.15, 0.35)).y(), 0) << "that was long ago";
 }
 
 TEST_F(AvoidanceTest, StopsOnWheelsWhichCannotGoAside) {
