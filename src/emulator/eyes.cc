@@ -118,7 +118,8 @@ void Eyes::Map(const robot::LegOdometry& base) {
 }
 
 void Eyes::FindObstacles(const robot::LegOdometry& base, Computer* computer) {
-  obstacles_.Begin(base);
+  const auto& motion = computer->sampled().motion;
+  obstacles_.Begin(base, motion ? motion->p_WB.z() : 0);
   const robot::LidarReading& reading = lidar_.reading();
   for (std::size_t i = 0; i < reading.deskewed.size(); ++i) {
     const robot::LidarPoint& at = reading.deskewed[i];

@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "perception/clearance.h"
-
 namespace understudy::perception {
 namespace {
 
@@ -18,8 +16,9 @@ constexpr double kCell = 0.08;        // m
 constexpr std::int64_t kMemory = 30;  // clouds: two seconds of an L1's
 constexpr double kStep = 0.12;        // m that it steps up
 constexpr double kPerMetre = 0.03;    // by which the ground seems to rise, by errors of attitude
-constexpr double kRoof = 0.2;         // m over the base, above which it passes
-constexpr std::int64_t kGroundAround = 2;  // cells on each side that have the ground
+constexpr double kOwnX = 0.45, kOwnY = 0.3;  // m, half the sides of what its legs may be in
+constexpr double kRoof = 0.2;                // m over the base, above which it passes
+constexpr std::int64_t kGroundAround = 2;    // cells on each side that have the ground
 
 std::int64_t CellOf(double at) { return static_cast<std::int64_t>(std::floor(at / kCell)); }
 
@@ -41,17 +40,20 @@ std::size_t ObstacleMap::PlaceOf(std::int64_t x, std::int64_t y) {
   return static_cast<std::size_t>(wrapped(y) * kCells + wrapped(x));
 }
 
-void ObstacleMap::Begin(const robot::LegOdometry& base) {
+void ObstacleMap::Begin(const robot::LegOdometry& base, double altitude) {
   ++cloud_;
   base_ = base;
+  altitude_ = altitude;
 }
 
 void ObstacleMap::Add(const Vector3d& p_OP, const Vector3d& p_BP) {
   if ((p_OP - base_.p_OB).head<2>().squaredNorm() > kFarthest * kFarthest) return;
-  if (p_OP.z() > base_.p_OB.z() + kRoof || IsOfRobot(p_BP, base_.p_OB.z())) return;
+  const double above = p_OP.z() - base_.p_OB.z();  // the base
+  const bool own = std::abs(p_BP.x()) < kOwnX && std::abs(p_BP.y()) < kOwnY;
+  if (above > kRoof || own) return;
   const std::int64_t x = CellOf(p_OP.x()), y = CellOf(p_OP.y());
   Cell& cell = cells_[PlaceOf(x, y)];
-  const auto z = static_cast<float>(p_OP.z());
+  const auto z = static_cast<float>(altitude_ + above);
   if (!IsFresh(cell) || cell.x != x || cell.y != y) {
     cell = {.x = x, .y = y, .cloud = cloud_, .low = z, .high = z};
     return;

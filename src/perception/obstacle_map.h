@@ -25,8 +25,9 @@ class ObstacleMap {
 
   // Forgets all.
   void Clear();
-  // Begins the next cloud; `base` is where the base is in odom, and in height over the ground.
-  void Begin(const robot::LegOdometry& base);
+  // Begins the next cloud. `altitude` [m] is that of the base from anywhere, by its legs: z of odom
+  // is the height over the ground below the robot, so a slope that it climbs would move.
+  void Begin(const robot::LegOdometry& base, double altitude);
   // Adds an echo [m] in odom; the same in the base's frame tells whether it is the robot's own.
   void Add(const Eigen::Vector3d& p_OP, const Eigen::Vector3d& p_BP);
   // Writes what is seen from the base of the last Begin.
@@ -36,7 +37,7 @@ class ObstacleMap {
   struct Cell {
     std::int64_t x = 0, y = 0;    // in cells from odom's origin
     std::int64_t cloud = kNever;  // the last one with an echo in it
-    float low = 0, high = 0;      // m, of its echoes
+    float low = 0, high = 0;      // m, altitudes of its echoes
   };
   static constexpr std::int64_t kNever = -1'000'000;
   static constexpr std::int64_t kCells = 64;  // along each side
@@ -48,6 +49,7 @@ class ObstacleMap {
   std::vector<Cell> cells_;  // wrapped around
   std::int64_t cloud_ = 0;
   robot::LegOdometry base_;
+  double altitude_ = 0;  // m
 };
 
 }  // namespace understudy::perception

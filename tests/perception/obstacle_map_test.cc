@@ -17,10 +17,10 @@ constexpr double kHeight = 0.32;
 
 class ObstacleMapTest : public testing::Test {
  protected:
-  void Begin(double x = 0, double y = 0, double yaw = 0) {
+  void Begin(double x = 0, double y = 0, double yaw = 0, double altitude = 0) {
     base_.p_OB = {x, y, kHeight};
     base_.R_OB = Eigen::AngleAxisd(yaw, Vector3d::UnitZ());
-    map_.Begin(base_);
+    map_.Begin(base_, altitude);
   }
   void Add(const Vector3d& p) { map_.Add(p, base_.R_OB.conjugate() * (p - base_.p_OB)); }
   // Ground of that slope ahead.
@@ -119,6 +119,17 @@ TEST_F(ObstacleMapTest, LeavesOutTheRobotsOwnLegs) {
   AddGround();
   AddFace(0.3, 0, 0.3, 0.2);
   EXPECT_EQ(Read().count, 0U);
+}
+
+TEST_F(ObstacleMapTest, KnowsASlopeAgainThatItClimbs) {
+  const double slope = std::tan(0.15);
+  for (double x = 0; x < 1.5; x += 0.1) {
+    Begin(x, 0, 0, slope * x);
+    for (double ahead = 0.5; ahead < 2; ahead += 0.04) {
+      for (double y = -0.2; y <= 0.2; y += 0.04) Add({x + ahead, y, slope * ahead});
+    }
+    EXPECT_EQ(Read().count, 0U) << x;
+  }
 }
 
 TEST_F(ObstacleMapTest, ForgetsAfterTwoSeconds) {
