@@ -212,6 +212,9 @@ std::string Evidence::WhyUnknown(std::size_t signal) const {
   if (origin == Origin::kTruth && !truth_) {
     return slot.signal.name + " is the simulation's truth, which this recording does not have";
   }
+  if (slot.signal.of_obstacles && !judge::IsKnown(values_[signal])) {
+    return slot.signal.name + " was not asked for when this was recorded; rehearse measures it";
+  }
   if (origin == Origin::kEvents && !told_) {
     return slot.signal.name + " comes from events, which this recording does not have";
   }
