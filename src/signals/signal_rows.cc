@@ -113,8 +113,9 @@ constexpr SignalRow kRows[] = {
      .argument = "",
      .unit = "m",
      .source = kTruth,
-     .says = "Distance of the nearest thing from the outline of the robot's body, at the height of "
-             "its base; at most 10 m; a recording has it where its scenario asked for it",
+     .says =
+         "Distance of the nearest thing from the outline of the body, at the height of its base. "
+         "At most 10 m. Recordings have it where their scenario asks for it",
      .of = [](const TruthView& t, std::size_t) { return t.nearest_obstacle; },
      .of_obstacles = true},
     {.word = "q",
