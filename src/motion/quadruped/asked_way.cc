@@ -39,7 +39,15 @@ void AskedWay::End() {
   avoids_ = false;
 }
 
-Vector3d AskedWay::Step(double dt, const Vector3d& here) {
+Vector3d AskedWay::Step(double dt, const Vector3d& here, const robot::SeenObstacles* obstacles) {
+  const Vector3d asked = Asked(dt, here);
+  avoided_ = avoids_ && !asked.isZero(0) ? 0 : avoided_ + dt;
+  if (!avoids()) avoidance_.Rest();
+  if (avoided_ > 0 || obstacles == nullptr) return asked;
+  return avoidance_.Limit(asked, *obstacles, dt);
+}
+
+Vector3d AskedWay::Asked(double dt, const Vector3d& here) {
   if (!path_.over()) return path_.Step(dt, here);
   counts_for_ -= dt;
   if (counts_for_ <= 0) velocity_.setZero();

@@ -26,7 +26,6 @@ constexpr double kStepsOn = 2.0;         // s it steps on where it could roll
 constexpr double kFallenRest = 1.0;      // s a fallen robot lies before it gets up by itself
 constexpr double kLyingRest = 5.0;    // s from lying down to damping: "after some seconds" on a B2
 constexpr double kLeastRaise = 0.01;  // m a foot is lifted by, however low it is to be
-constexpr double kLooksOn = 2.0;      // s it looks on for obstacles once nothing is asked
 constexpr double kLed = 1.2;          // s in which a stand has followed to where it was led
 
 // Before it told its state's id a Go2 trotted; what robots do that never told it is a B2's word.
@@ -50,7 +49,7 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
       trot_(body_, estimator_, figures_),
       drive_(body_, estimator_, &stance_, figures_),
       wheels_(figures_),
-      avoidance_(!wheeled()) {
+      asked_(!wheeled()) {
   if (policy) policy_.emplace(std::move(policy));
   Use(RowOf(DefaultGait(spec)), 0);
 }
@@ -256,20 +255,11 @@ bool QuadrupedMotion::Topples() const {
                   std::sqrt(body_.gravity() / figures_.stand_height));
 }
 
-// A Move that comes soon after the last one finds the obstacles that were seen then.
-Vector3d QuadrupedMotion::Asked(const authority::MotionInput& input, double dt) {
-  const Vector3d asked = asked_.Step(dt, Here());
-  avoided_ = asked_.avoids() && !asked.isZero(0) ? 0 : avoided_ + dt;
-  if (avoided_ >= kLooksOn) avoidance_.Rest();
-  if (avoided_ > 0 || input.obstacles == nullptr) return asked;
-  return avoidance_.Limit(asked, *input.obstacles, dt);
-}
-
 // Wheels roll ahead and through wide bends. What goes sideways or turns on the spot, where tyres
 // would have to slip, is stepped with the wheels braked, and what follows for a while: to change
 // between the two it has to stop.
 void QuadrupedMotion::Move(const authority::MotionInput& input, double dt) {
-  const Vector3d asked = Asked(input, dt);
+  const Vector3d asked = asked_.Step(dt, Here(), input.obstacles);
   const Vector3d taken = policy_ ? asked : trot_.Taken(asked);
   const bool stepping = stepping_ && !then_;
   const bool rolls = wheeled() && !stepping && std::abs(taken.y()) <= figures_.walk.dead_band.y() &&
@@ -352,7 +342,7 @@ robot::MotionState QuadrupedMotion::state() const {
                            .wanted_height = wanted_.place.z(),
                            .foot_raise = figures_.walk.foot_raise,
                            .keeps_stepping = stepping_,
-                           .avoids = avoided_ < kLooksOn};
+                           .avoids = asked_.avoids()};
   for (std::size_t leg = 0; leg < state.feet.size(); ++leg) {
     state.feet[leg] = reading_.feet[leg];
     state.feet_speed[leg] = reading_.feet_speed[leg];

@@ -7,7 +7,6 @@
 
 #include "authority/motion.h"
 #include "motion/quadruped/asked_way.h"
-#include "motion/quadruped/avoidance.h"
 #include "motion/quadruped/body.h"
 #include "motion/quadruped/drive.h"
 #include "motion/quadruped/estimator.h"
@@ -60,7 +59,6 @@ class QuadrupedMotion : public authority::Motion {
   bool Topples() const;
   // Begins to walk or drive, and ends what was not renewed.
   void Move(const authority::MotionInput& input, double dt);
-  Eigen::Vector3d Asked(const authority::MotionInput& input, double dt);
   // Of a step: falls and their effects; commands to the motors.
   void Wheels(const authority::MotionInput& input, robot::RobotCommand* command);
 
@@ -97,10 +95,8 @@ class QuadrupedMotion : public authority::Motion {
   bool stepping_ = false;  // on the spot where it would stand
   authority::goal::GestureName gesture_name_{};
   AskedWay asked_;
-  Avoidance avoidance_;
-  double avoided_ = kLongAgo;  // s ago that it was asked to avoid obstacles
-  double led_ = kLongAgo;      // s ago that a goal led the body of a stand elsewhere
-  double rolls_for_ = 0;  // s since when wheels could do what is asked for, or it began to step
+  double led_ = kLongAgo;  // s ago that a goal led the body of a stand elsewhere
+  double rolls_for_ = 0;   // s since when wheels could do what is asked for, or it began to step
   std::optional<authority::MotionGoal> then_;  // what it stops walking for
   bool fallen_ = false;                        // damped because of a fall, not of a goal
   QuadrupedReading reading_;
