@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // Along the base's x, level, and to the left of that.
-std::array<Vector3d, 2> AxesOf(const mjData& data, int base) {
+std::array<Vector3d, 2> LevelAxesOf(const mjData& data, int base) {
   const mjcf::RotationView R_WB(data.xmat + 9 * base);
   const double yaw = std::atan2(R_WB(1, 0), R_WB(0, 0));
   return {Vector3d(std::cos(yaw), std::sin(yaw), 0), Vector3d(-std::sin(yaw), std::cos(yaw), 0)};
@@ -30,7 +30,7 @@ NearestObstacle::NearestObstacle(const physics::World& world, std::size_t robot)
       base_(world.robot(robot).Body(world.robot(robot).spec().base_body)) {
   const mjModel& model = world.model();
   const mjData& data = world.data();
-  const auto axes = AxesOf(data, base_);
+  const auto axes = LevelAxesOf(data, base_);
   const Vector3d p_WB = mjcf::Vector(data.xpos + 3 * base_);
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const int body = model.geom_bodyid[geom];
@@ -51,7 +51,7 @@ NearestObstacle::NearestObstacle(const physics::World& world, std::size_t robot)
 
 double NearestObstacle::Measure(std::int64_t step, const mjData& data) {
   scene_.Follow(step, data);
-  const auto axes = AxesOf(data, base_);
+  const auto axes = LevelAxesOf(data, base_);
   const Vector3d p_WB = mjcf::Vector(data.xpos + 3 * base_);
   double nearest = kFarthest;
   for (int i = 0; i < kRays; ++i) {

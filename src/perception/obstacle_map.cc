@@ -12,18 +12,18 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // All *assumed*.
-constexpr double kCell = 0.08;        // m
-constexpr std::int64_t kMemory = 30;  // clouds: two seconds of an L1's
-constexpr double kStep = 0.12;        // m that it steps up
-constexpr double kPerMetre = 0.03;    // by which the ground seems to rise, by errors of attitude
+constexpr double kMapCell = 0.08;         // m
+constexpr std::int64_t kRemembered = 30;  // clouds: two seconds of an L1's
+constexpr double kStepsUp = 0.12;         // m that it steps up
+constexpr double kGroundRise = 0.03;  // by which the ground seems to rise, by errors of attitude
 constexpr double kOwnX = 0.45, kOwnY = 0.3;  // m, half the sides of what its legs may be in
-constexpr double kRoof = 0.2;                // m over the base, above which it passes
+constexpr double kPassesUnder = 0.2;         // m over the base, above which it passes
 constexpr std::int64_t kGroundAround = 2;    // cells on each side that have the ground
 
-std::int64_t CellOf(double at) { return static_cast<std::int64_t>(std::floor(at / kCell)); }
+std::int64_t MapCellOf(double at) { return static_cast<std::int64_t>(std::floor(at / kMapCell)); }
 
-Vector2d MiddleOf(std::int64_t x, std::int64_t y) {
-  return kCell * Vector2d(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
+Vector2d MapMiddleOf(std::int64_t x, std::int64_t y) {
+  return kMapCell * Vector2d(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
 }
 
 }  // namespace
@@ -50,8 +50,8 @@ void ObstacleMap::Add(const Vector3d& p_OP, const Vector3d& p_BP) {
   if ((p_OP - base_.p_OB).head<2>().squaredNorm() > kFarthest * kFarthest) return;
   const double above = p_OP.z() - base_.p_OB.z();  // the base
   const bool own = std::abs(p_BP.x()) < kOwnX && std::abs(p_BP.y()) < kOwnY;
-  if (above > kRoof || own) return;
-  const std::int64_t x = CellOf(p_OP.x()), y = CellOf(p_OP.y());
+  if (above > kPassesUnder || own) return;
+  const std::int64_t x = MapCellOf(p_OP.x()), y = MapCellOf(p_OP.y());
   Cell& cell = cells_[PlaceOf(x, y)];
   const auto z = static_cast<float>(altitude_ + above);
   if (!IsFresh(cell) || cell.x != x || cell.y != y) {
@@ -63,7 +63,7 @@ void ObstacleMap::Add(const Vector3d& p_OP, const Vector3d& p_BP) {
   cell.high = std::max(cell.high, z);
 }
 
-bool ObstacleMap::IsFresh(const Cell& cell) const { return cell.cloud > cloud_ - kMemory; }
+bool ObstacleMap::IsFresh(const Cell& cell) const { return cell.cloud > cloud_ - kRemembered; }
 
 bool ObstacleMap::Blocks(const Cell& cell) const {
   float ground = cell.low;
@@ -73,8 +73,8 @@ bool ObstacleMap::Blocks(const Cell& cell) const {
       if (near.x == x && near.y == y && IsFresh(near)) ground = std::min(ground, near.low);
     }
   }
-  const double away = (MiddleOf(cell.x, cell.y) - base_.p_OB.head<2>()).norm();
-  return cell.high - ground > kStep + kPerMetre * away;
+  const double away = (MapMiddleOf(cell.x, cell.y) - base_.p_OB.head<2>()).norm();
+  return cell.high - ground > kStepsUp + kGroundRise * away;
 }
 
 void ObstacleMap::Read(robot::SeenObstacles* seen) const {
@@ -87,7 +87,7 @@ void ObstacleMap::Read(robot::SeenObstacles* seen) const {
   nearest.fill({kNone, kNone});
   for (const Cell& cell : cells_) {
     if (!IsFresh(cell) || !Blocks(cell)) continue;
-    const Vector2d way = MiddleOf(cell.x, cell.y) - base_.p_OB.head<2>();
+    const Vector2d way = MapMiddleOf(cell.x, cell.y) - base_.p_OB.head<2>();
     if (way.norm() > kFarthest) continue;
     const Vector2d at(c * way.x() + s * way.y(), c * way.y() - s * way.x());
     const double turn = std::atan2(at.y(), at.x()) / (2 * std::numbers::pi) + 0.5;
