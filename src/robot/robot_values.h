@@ -181,12 +181,12 @@ struct RobotState {
   BaseReading base;
   BaseReading odometry;  // what the robot's own programs take that for, where no service estimates
   std::optional<LegOdometry> leg_odometry;  // nullopt while no motion service estimates
-  // m to what its lidar sees ahead, to the right, behind and to the left; kNoObstacle where
-  // nothing.
-  std::array<double, 4> obstacle_ranges{kNoObstacle, kNoObstacle, kNoObstacle, kNoObstacle};
   TrueValues truth;
   RemoteReading remote;
   std::optional<MotionState> motion;  // nullopt while no motion service is on
+  // m to what its lidar sees ahead, to the right, behind and to the left; kNoObstacle where
+  // nothing.
+  std::array<double, 4> obstacle_ranges{kNoObstacle, kNoObstacle, kNoObstacle, kNoObstacle};
 };
 
 }  // namespace understudy::robot
