@@ -155,8 +155,12 @@ void CommandRouter::ObeySticks(const robot::RemoteReading& remote) {
   }
   const bool moved = std::ranges::any_of(stick_wish_, [](double wish) { return wish != 0; });
   if ((moved || sticks_moved_) && service_on()) {
-    const MotionVerdict verdict =
-        owner_.Ask(goal::Move{stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold, true});
+    const MotionVerdict verdict = owner_.Ask(goal::Move{.vx = stick_wish_[0],
+                                                        .vy = stick_wish_[1],
+                                                        .yaw_rate = stick_wish_[2],
+                                                        .hold = kStickHold,
+                                                        .by_sticks = true,
+                                                        .avoids = owner_.avoids()});
     if (moved && verdict != MotionVerdict::kTaken && !sticks_unheeded_) {
       sticks_unheeded_ = true;
       unheeded_ = {.reason = verdict == MotionVerdict::kUnable ? Unheeded::Reason::kNotSimulated

@@ -65,6 +65,7 @@ struct Move {
   double yaw_rate = 0;     // rad/s
   double hold = 0;         // s until it stops
   bool by_sticks = false;  // of the remote controller: the speed level scales it
+  bool avoids = false;     // stops before obstacles or goes round them
   static Move From(const Numbers& x) { return {x[0], x[1], x[2], x[3]}; }
   bool operator==(const Move&) const = default;
 };
@@ -125,6 +126,7 @@ struct GoTo {
   double x = 0, y = 0;     // m, by the service's own estimate
   double yaw = 0;          // rad, by the same estimate
   bool from_here = false;  // counts from where the robot is, else from where its estimate began
+  bool avoids = false;     // as Move has it
   static GoTo From(const Numbers& x) { return {x[0], x[1], x[2], x[3] != 0}; }
   bool operator==(const GoTo&) const = default;
 };

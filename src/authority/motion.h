@@ -6,6 +6,7 @@
 
 #include "authority/goals.h"
 #include "robot/robot_values.h"
+#include "robot/seen_obstacles.h"
 
 namespace understudy::authority {
 
@@ -20,13 +21,14 @@ enum class MotionVerdict : std::uint8_t {
 
 // The input of a motion service: the sensor readings of one instant.
 struct MotionInput {
-  double time = 0;                              // simulated s
-  std::span<const robot::MotorReading> motors;  // motor order
-  robot::ImuReading imu;                        // of LowState
-  std::span<const double> foot_force;           // N, RobotSpec::feet order
-  double soc = 1;                               // of the battery, 0 to 1
-  double arm_weight = 0;                        // of rt/arm_sdk, 0 to 1
-  robot::RemoteReading remote{};                // as last received
+  double time = 0;                                  // simulated s
+  std::span<const robot::MotorReading> motors;      // motor order
+  robot::ImuReading imu;                            // of LowState
+  std::span<const double> foot_force;               // N, RobotSpec::feet order
+  double soc = 1;                                   // of the battery, 0 to 1
+  double arm_weight = 0;                            // of rt/arm_sdk, 0 to 1
+  robot::RemoteReading remote{};                    // as last received
+  const robot::SeenObstacles* obstacles = nullptr;  // null: the robot has no eyes for them
 };
 
 class Motion {

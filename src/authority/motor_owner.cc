@@ -59,6 +59,11 @@ OwnerVerdict MotorOwner::Switch(std::string_view service, bool on) {
   return OwnerVerdict::kDone;
 }
 
+bool MotorOwner::Runs(std::string_view program) const {
+  const auto found = std::ranges::find(services_, program, &OnboardService::name);
+  return found == services_.end() || found->on;
+}
+
 void MotorOwner::Restart() {
   onboard_.EndMotionService();
   fresh_ = true;

@@ -27,6 +27,7 @@ struct OnboardService {
 
 // The program of a Go2's lidar, which rt/utlidar/switch switches.
 inline constexpr std::string_view kLidarProgram = "unitree_lidar";
+inline constexpr std::string_view kAvoidProgram = "obstacles_avoidance";
 inline constexpr std::string_view kLivoxProgram = "lidar_driver";  // of a G1's
 
 // The result of a request to change the owner; motion_switcher and robot_state have codes for it.
@@ -62,6 +63,11 @@ class MotorOwner {
   const OnboardState& onboard() const { return onboard_; }
   // Whether the service that is on lets rt/user_lowcmd move the motors.
   bool user_control() const { return onboard_.user_control && !active().empty(); }
+
+  // Whether a program runs. One that the robot does not list always does.
+  bool Runs(std::string_view program) const;
+  // Whether the sticks and obstacles_avoid move it round obstacles.
+  bool avoids() const { return onboard_.avoids && Runs(kAvoidProgram); }
 
   // Restarts the service that is on, after the robot was put back in a start pose.
   void Restart();

@@ -17,7 +17,8 @@ struct OnboardState {
   bool silent = false;  // motion_switcher starts no motion service at boot
   // rt/user_lowcmd moves the motors while the service is on (G1, loco api 7110 and 7111).
   bool user_control = false;
-  bool sticks = true;  // the sticks of the remote controller move the robot (SwitchJoystick)
+  bool sticks = true;   // the sticks of the remote controller move the robot (SwitchJoystick)
+  bool avoids = false;  // the switch of obstacles_avoid
   ProgramReport report{};
 
   // Replaces the reports requested before; arguments in s, as in ProgramReport.

@@ -6,6 +6,7 @@
 
 #include "authority/onboard.h"
 #include "robot/command_topics.h"
+#include "robot/firmware.h"
 
 namespace understudy::emulator {
 
@@ -23,7 +24,10 @@ Computer::Computer(const robot::RobotSpec& spec, const RobotSettings& settings, 
       power_(spec.boot),
       router_(spec, settings.gate, settings.motion, start, make),
       service_effects_(faults.effects().services),
-      arrived_(router_.command()) {}
+      arrived_(router_.command()),
+      tells_ranges_(robot::TellsRanges(spec)) {
+  if (robot::HasLidar(spec.lidar)) input_.obstacles = &seen_;
+}
 
 void Computer::Restart(const robot::RobotCommand& start) {
   router_.Restart(start);
@@ -128,18 +132,26 @@ void Computer::Publish(std::int64_t step) {
 }
 
 bool Computer::RunsLidar() const {
-  if (silenced_ || !power_.computes()) return false;
-  const std::span<const authority::OnboardService> programs = router_.owner().services();
-  const auto lidar = std::ranges::find(
-      programs, robot::IsMapped(spec_.lidar) ? authority::kLidarProgram : authority::kLivoxProgram,
-      &authority::OnboardService::name);
-  return lidar == programs.end() || lidar->on;
+  return power_.computes() &&
+         router_.owner().Runs(robot::IsMapped(spec_.lidar) ? authority::kLidarProgram
+                                                           : authority::kLivoxProgram);
 }
 
 // Some need to know where the base is.
 bool Computer::WantsLidar(wire::Content content) const {
-  return ports_.topics->ReadsLidar(content) &&
+  return !silenced_ && ports_.topics->ReadsLidar(content) &&
          (content < wire::Content::kCloudBase || router_.owner().state().estimates);
+}
+
+bool Computer::LooksForObstacles() const {
+  if (!router_.owner().Runs(authority::kAvoidProgram)) return false;
+  const robot::MotionState& motion = router_.owner().state();
+  return motion.avoids || (tells_ranges_ && motion.estimates && router_.owner().avoids());
+}
+
+void Computer::See(const robot::SeenObstacles& seen) {
+  seen_ = seen;
+  if (tells_ranges_) state_.obstacle_ranges = robot::RangesOf(seen);
 }
 
 void Computer::Publish(wire::Content content, robot::LidarReading* reading) {

@@ -71,6 +71,11 @@ class Computer {
   // Whether the lidar's programs run, and whether one of them makes a content that is read.
   bool RunsLidar() const;
   bool WantsLidar(wire::Content content) const;
+  // Whether the program of obstacle avoidance looks: what the robot is asked to do avoids
+  // obstacles, or its firmware publishes their distances while the switch is on.
+  bool LooksForObstacles() const;
+  // Takes what that program sees.
+  void See(const robot::SeenObstacles& seen);
   // Sends a content of the lidar, whose stamps are simulated time.
   void Publish(wire::Content content, robot::LidarReading* reading);
   // Begins the sample of a step: returns the previous one, for the sensors to overwrite.
@@ -143,6 +148,8 @@ class Computer {
   std::vector<robot::ServiceEffects> service_effects_;  // of faults, and of those not up yet
   robot::RobotCommand arrived_;                         // the last command that was taken
   authority::MotionInput input_;
+  robot::SeenObstacles seen_;
+  bool tells_ranges_;
   robot::RobotState state_;
   std::int64_t sampled_ = kNever;  // the step of state_
   bool silenced_ = false;

@@ -53,13 +53,15 @@ void Eyes::Rest() {
 void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
                 perception::Scene* scene, Computer* computer) {
   const bool runs = !faults.dead && computer->RunsLidar();
-  bool casts = false;
+  looks_ = runs && computer->LooksForObstacles();
+  bool casts = looks_;
   for (Part& part : parts_) {
     part.wanted = runs && computer->WantsLidar(part.content);
     casts = casts || (part.wanted && IsOfClouds(part.content));
   }
   robot::LidarReading& reading = lidar_.reading();
   reading.now_ns = step * step_ns_;
+  if (!looks_) ForgetObstacles(computer);
   if (casts) {
     Cast(step, data, faults, scene, computer);
   } else {
@@ -85,11 +87,12 @@ void Eyes::Cast(std::int64_t step, const mjData& data, const robot::LidarEffects
   const auto& odometry = computer->sampled().leg_odometry;
   const robot::LegOdometry* const base = odometry ? &*odometry : nullptr;
   const bool maps = Wants(Content::kHeightMap);
-  const bool deskews = maps || Wants(Content::kCloudDeskewed);
+  const bool deskews = maps || looks_ || Wants(Content::kCloudDeskewed);
   if (!lidar_.Sense(step, data, *scene, faults, deskews ? base : nullptr)) return;
   const robot::LidarReading& reading = lidar_.reading();
   const bool deskewed = reading.deskewed.size() == reading.cloud.points.size();
   if (maps && base != nullptr && deskewed) Map(*base);
+  if (looks_ && base != nullptr && deskewed) FindObstacles(*base, computer);
   if (Wants(Content::kClearance) && base != nullptr) Measure(*base);
   for (const Part& part : parts_) {
     const bool made = part.content == Content::kCloudDeskewed ? deskewed
@@ -112,6 +115,25 @@ void Eyes::Map(const robot::LegOdometry& base) {
     if (perception::IsOfRobot(InBase(reading.cloud.points[i]), base.p_OB.z())) continue;
     mapper_.Add({at.x, at.y, at.z});
   }
+}
+
+void Eyes::FindObstacles(const robot::LegOdometry& base, Computer* computer) {
+  const auto& motion = computer->sampled().motion;
+  obstacles_.Begin(base, motion ? motion->p_WB.z() : 0);
+  const robot::LidarReading& reading = lidar_.reading();
+  for (std::size_t i = 0; i < reading.deskewed.size(); ++i) {
+    const robot::LidarPoint& at = reading.deskewed[i];
+    obstacles_.Add({at.x, at.y, at.z}, InBase(reading.cloud.points[i]));
+  }
+  obstacles_.Read(&seen_);
+  computer->See(seen_);
+}
+
+void Eyes::ForgetObstacles(Computer* computer) {
+  if (!seen_.known) return;
+  obstacles_.Clear();
+  seen_ = {};
+  computer->See(seen_);
 }
 
 void Eyes::Measure(const robot::LegOdometry& base) {

@@ -8,6 +8,7 @@
 #include "perception/clearance.h"
 #include "perception/height_mapper.h"
 #include "perception/lidar.h"
+#include "perception/obstacle_map.h"
 #include "perception/scene.h"
 #include "physics/world.h"
 #include "robot/rate.h"
@@ -44,6 +45,8 @@ class Eyes {
   // Make of a cloud that is complete what is wanted of it.
   void Map(const robot::LegOdometry& base);
   void Measure(const robot::LegOdometry& base);
+  void FindObstacles(const robot::LegOdometry& base, Computer* computer);
+  void ForgetObstacles(Computer* computer);
   Eigen::Vector3d InBase(const robot::LidarPoint& point) const;
 
   const robot::RobotSpec& spec_;
@@ -52,8 +55,11 @@ class Eyes {
   perception::Lidar lidar_;
   perception::HeightMapper mapper_;
   perception::Clearance clearance_;
+  perception::ObstacleMap obstacles_;
+  robot::SeenObstacles seen_;
   std::vector<Part> parts_;
   bool mapped_ = false;  // the map has something
+  bool looks_ = false;   // for obstacles
 };
 
 }  // namespace understudy::emulator

@@ -78,6 +78,7 @@ void EncodeTruth(const Truth& truth, BytesOut* out) {
   PutNumbers(truth.tau, out);
   PutNumbers(truth.foot_force, out);
   PutNumber(truth.crane_tension, out);
+  PutNumber(truth.nearest_obstacle, out);
 }
 
 Truth DecodeTruth(ByteSpan bytes) {
@@ -90,6 +91,7 @@ Truth DecodeTruth(ByteSpan bytes) {
   truth.tau = TakeNumbers(&in);
   truth.foot_force = TakeNumbers(&in);
   truth.crane_tension = TakeNumber<double>(&in);
+  if (in.remaining() > 0) truth.nearest_obstacle = TakeNumber<double>(&in);
   return truth;
 }
 

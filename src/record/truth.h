@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,8 @@ inline constexpr char kTruthText[] =
     "float64[] qvel\n"
     "float64[] tau\n"
     "float64[] foot_force\n"
-    "float64 crane_tension\n";
+    "float64 crane_tension\n"
+    "float64 nearest_obstacle\n";
 
 // The true state between two steps, at `time`. tau, foot_force and crane_tension acted during the
 // step before.
@@ -33,6 +35,8 @@ struct Truth {
   std::vector<double> tau{};         // N·m at the joints, in motor order
   std::vector<double> foot_force{};  // N, in the order of robot.feet
   double crane_tension = 0;          // N
+  // m, of perception::NearestObstacle; NaN where nobody asked for it, and in older recordings.
+  double nearest_obstacle = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Where in qpos and qvel the joint of the robot's base begins, if its base is free.

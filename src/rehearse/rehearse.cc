@@ -158,6 +158,7 @@ Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
                    .late_messages = options.late_messages};
   for (std::size_t i = 0; i < scenario.config.robots.size(); ++i) {
     run.audiences.push_back(jury.Hearing(i));
+    run.obstacles.push_back(signals::AsksForObstacles(scenario.expect.signals, i));
   }
   run.should_stop = [&manager](std::int64_t step, emulator::EventRing* events) {
     return manager.ShouldStop(step, events);

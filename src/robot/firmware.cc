@@ -50,4 +50,6 @@ bool TellsStateId(const RobotSpec& spec) {
   return !spec.state_id_since.empty() && FirmwareReaches(spec.firmware, spec.state_id_since);
 }
 
+bool TellsRanges(const RobotSpec& spec) { return HasLidar(spec.lidar) && !TellsStateId(spec); }
+
 }  // namespace understudy::robot

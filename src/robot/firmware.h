@@ -21,4 +21,8 @@ bool HasService(std::string_view firmware, const ServiceSpec& service);
 // Returns whether the robot publishes the id of its state (RobotSpec::state_id_since).
 bool TellsStateId(const RobotSpec& spec);
 
+// Returns whether its SportModeState has the distances of obstacles: that of a robot with a lidar
+// that does not publish that id. Newer ones publish zeros (docs/dev/sources.md).
+bool TellsRanges(const RobotSpec& spec);
+
 }  // namespace understudy::robot

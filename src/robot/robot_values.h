@@ -90,6 +90,9 @@ struct ImuReading {
 
 inline constexpr std::size_t kMostCells = 40;
 
+// m, what SportModeState.range_obstacle has where nothing is; a public capture of a Go2.
+inline constexpr double kNoObstacle = 2;
+
 struct BatteryReading {
   double voltage = 0;  // V, sum of the cells
   double current = 0;  // A, negative while the pack gives
@@ -141,6 +144,7 @@ struct MotionState {
   double wanted_height = 0;                       // m, as body_height is to be
   double foot_raise = 0;                          // m that its gait lifts a foot by
   bool keeps_stepping = false;                    // on the spot where it would stand
+  bool avoids = false;                            // what it is asked to do avoids obstacles
   std::array<Eigen::Vector3d, 4> feet{};          // m, in the base, FR FL RR RL
   std::array<Eigen::Vector3d, 4> feet_speed{};    // m/s, against the base and in it
   std::array<DangerReading, kDangers> dangers{};  // by Danger
@@ -180,6 +184,9 @@ struct RobotState {
   TrueValues truth;
   RemoteReading remote;
   std::optional<MotionState> motion;  // nullopt while no motion service is on
+  // m to what its lidar sees ahead, to the right, behind and to the left; kNoObstacle where
+  // nothing.
+  std::array<double, 4> obstacle_ranges{kNoObstacle, kNoObstacle, kNoObstacle, kNoObstacle};
 };
 
 }  // namespace understudy::robot

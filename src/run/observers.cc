@@ -24,6 +24,7 @@ RecordingOptions OptionsOf(const RunOptions& options, const config::Config& conf
   RecordingOptions own = options.recording;
   own.file = RecordingOf(own.file, config, robot);
   if (!options.audiences.empty()) own.audience = options.audiences[robot];
+  if (!options.obstacles.empty()) own.obstacles = options.obstacles[robot];
   return own;
 }
 

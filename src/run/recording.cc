@@ -180,6 +180,7 @@ Recording::Recording(const RecordingOptions& options, std::size_t robot,
                  1 / (config.robots[robot].spec.rates.lowstate_hz * config.physics.timestep)))),
       sheet_every_(std::max<std::int64_t>(1, std::llround(kSheetEvery / config.physics.timestep))) {
   head_.start = options.start;
+  if (options.obstacles) obstacles_.emplace(world->physics(), robot);
   if (!options.file.empty()) {
     recorder_ = Start({.file = options.file, .overwrite = options.overwrite, .config = config});
     file_ = options.file;
@@ -313,6 +314,10 @@ void Recording::Offer() {
   if (world_.step() % every_ == 0) {
     if (record::Moment* moment = recorder_->Claim(); moment != nullptr) {
       Fill(world_, robot_, &moment->truth);
+      if (obstacles_) {
+        moment->truth.nearest_obstacle =
+            obstacles_->Measure(world_.step(), world_.physics().data());
+      }
       recorder_->Commit();
     }
   }

@@ -14,6 +14,7 @@
 #include "bus/participant.h"
 #include "config/config.h"
 #include "emulator/world.h"
+#include "perception/nearest_obstacle.h"
 #include "record/recorder.h"
 #include "robot/randomization.h"
 #include "run/loop.h"
@@ -29,6 +30,7 @@ struct RecordingOptions {
   // Messages of programs come later than they say, by what the program thinks. It is caught up with
   // in every step then, so that each is recorded in the step in which it came.
   bool late_messages = false;
+  bool obstacles = false;  // has the distance of the nearest one
   // Hears what is written; may be null. A run as fast as possible waits for it every kHeardEvery
   // steps, so that what it knows then depends on nothing but the run.
   record::Audience* audience = nullptr;
@@ -98,6 +100,7 @@ class Recording final : public Attachment {
   record::Audience* audience_;
   record::RecordingHead head_;  // but for configuration and model
   record::Moment moment_;
+  std::optional<perception::NearestObstacle> obstacles_;
   std::int64_t every_;           // steps from one LowState to the next
   std::int64_t sheet_every_;     // steps from one damage sheet to the next
   std::int64_t sheet_step_ = 0;  // of the last one

@@ -28,6 +28,8 @@ struct RunOptions {
   RecordingOptions recording;  // of several robots as RecordingOf has it
   // Of the recordings, by number of the robot; may be empty.
   std::vector<record::Audience*> audiences;
+  // By number of the robot, whether its recording has the nearest obstacle; may be empty.
+  std::vector<bool> obstacles;
   std::filesystem::path log;               // the file of the log, "" if it is none's
   bool private_network = false;            // of exec: nothing leads out of it
   time::ProgramClock* programs = nullptr;  // null: programs are on real time

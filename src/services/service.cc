@@ -84,11 +84,7 @@ void Service::Set(std::string_view name, json value) {
 
 bool Service::IsServed(const authority::MotorOwner& owner) const {
   if (table_.needs_motion && owner.active().empty()) return false;
-  const auto services = owner.services();
-  return std::none_of(services.begin(), services.end(),
-                      [&](const authority::OnboardService& service) {
-                        return service.name == table_.program && !service.on;
-                      });
+  return owner.Runs(table_.program);
 }
 
 ServiceReply Service::Answer(const ServiceRequest& request, authority::MotorOwner* owner,

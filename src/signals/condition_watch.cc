@@ -19,6 +19,11 @@ ConditionWatch::ConditionWatch(signals::Conditions conditions, const emulator::W
       slots_(conditions_.signals.size()),
       events_(&world.events()),
       measured_(world.robot_count()) {
+  for (std::size_t i = 0; i < measured_.size(); ++i) {
+    if (AsksForObstacles(conditions_.signals, i)) {
+      measured_[i].obstacles.emplace(world.physics(), i);
+    }
+  }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = conditions_.signals[i];
     Slot& slot = slots_[i];
@@ -122,6 +127,9 @@ void ConditionWatch::Measure(const emulator::World& world) {
                 .tau = robot.torque(),
                 .foot_force = of.foot_force,
                 .crane_tension = robot.crane().attached() ? robot.crane().tension() : 0};
+    if (of.obstacles) {
+      of.truth.nearest_obstacle = of.obstacles->Measure(world.step(), world.physics().data());
+    }
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = conditions_.signals[i];

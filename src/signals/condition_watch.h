@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "emulator/script.h"
 #include "emulator/told_event.h"
 #include "judge/formula.h"
+#include "perception/nearest_obstacle.h"
 #include "signals/recent_arrivals.h"
 #include "signals/signals.h"
 
@@ -48,6 +50,7 @@ class ConditionWatch final : public emulator::ScriptConditions {
     bool asked = false;
     std::vector<double> foot_force;
     TruthView truth;
+    std::optional<perception::NearestObstacle> obstacles;  // where they are asked for
   };
 
   void Take(const emulator::Event& event);

@@ -109,6 +109,15 @@ constexpr SignalRow kRows[] = {
      [](const TruthView& t, std::size_t) { return Sum(t.foot_force); }},
     {"crane.tension", "", "N", kTruth, "Pull of the tether, 0 off the crane",
      [](const TruthView& t, std::size_t) { return t.crane_tension; }},
+    {.word = "nearest_obstacle",
+     .argument = "",
+     .unit = "m",
+     .source = kTruth,
+     .says =
+         "Distance of the nearest thing from the outline of the body, at the height of its base. "
+         "At most 10 m. Recordings have it where their scenario asks for it",
+     .of = [](const TruthView& t, std::size_t) { return t.nearest_obstacle; },
+     .of_obstacles = true},
     {.word = "q",
      .argument = "JOINT",
      .unit = "rad",

@@ -30,7 +30,8 @@ struct SignalRow {
   std::string_view topic{};
   // Its field in that; of a joint the field of its motor_state.
   std::string_view field{};
-  bool share = false;  // its size as a share of the motor's torque_limit
+  bool of_obstacles = false;  // Signal::of_obstacles
+  bool share = false;         // its size as a share of the motor's torque_limit
 };
 
 std::span<const SignalRow> SignalRows();

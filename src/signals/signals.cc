@@ -170,6 +170,7 @@ Result<Signal> OfRow(const SignalRow& row, const std::string& argument, Signal s
   signal.unit = row.unit;
   signal.of = row.of;
   signal.of_base = row.word.starts_with("base.");
+  signal.of_obstacles = row.of_obstacles;
   signal.topic = row.topic;
   if (row.source == Signal::Source::kFirstJump) signal.slots = names.slots;
   if (row.source == Signal::Source::kEventField) {
@@ -337,6 +338,12 @@ Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& name
   if (!found || !names.of_none || IsOfWorld(*found)) return found;
   return Error{"'" + subject + "' is of which robot? expected such as " + names.robot + ":" +
                subject};
+}
+
+bool AsksForObstacles(std::span<const Signal> signals, std::size_t robot) {
+  return std::ranges::any_of(signals, [robot](const Signal& signal) {
+    return signal.of_obstacles && signal.robot == robot;
+  });
 }
 
 Result<double> ScaleTo(const std::string& unit, const std::string& from) {

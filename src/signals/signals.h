@@ -12,6 +12,7 @@
 
 #include "base/result.h"
 #include "judge/condition.h"
+#include "judge/margin.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
@@ -21,9 +22,10 @@ namespace understudy::signals {
 struct TruthView {
   // Of the base, as physics::RobotBody has them; empty if it is fixed.
   std::span<const double> base_position, base_velocity;
-  std::span<const double> tau;         // N·m at the joints, in motor order
-  std::span<const double> foot_force;  // N, in the order of robot.feet
-  double crane_tension = 0;            // N
+  std::span<const double> tau;                // N·m at the joints, in motor order
+  std::span<const double> foot_force;         // N, in the order of robot.feet
+  double crane_tension = 0;                   // N
+  double nearest_obstacle = judge::kUnknown;  // m
 };
 
 // What a recording must have for a signal to be known.
@@ -86,7 +88,8 @@ struct Signal {
   Source source = Source::kTruth;
   double (*of)(const TruthView& truth, std::size_t index) = nullptr;                  // kTruth
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;  // kField
-  bool of_base = false;  // kTruth: of one that is free to move
+  bool of_base = false;       // kTruth: of one that is free to move
+  bool of_obstacles = false;  // kTruth: that is measured only where it is asked for
   std::size_t index = 0;
   std::string topic{}, field{};  // of messages, on the wire; of events kind and field
   std::string printed{};         // kPrint
@@ -105,6 +108,9 @@ struct Signal {
 // Finds what a comparison is about: NAME:WORD is of the robot of that name, else it is of the robot
 // of `names`. An Error has the nearest word.
 Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& names);
+
+// Whether one of them is the distance of the nearest obstacle of a robot, by its number.
+bool AsksForObstacles(std::span<const Signal> signals, std::size_t robot);
 
 // Returns the factor from the unit of a signal to another: 57.3 from rad to deg. An Error lists the
 // units that there are.

@@ -18,9 +18,8 @@ constexpr std::uint32_t kDampedId = 1001;  // vendor, Go2 motion services V2.0; 
 constexpr std::uint8_t kDampedMode = 7;    // vendor, Go2 sports services
 // A damped Go2 of 2024-09, public capture.
 constexpr std::uint8_t kGait = 1;
-constexpr float kFootRaise = 0.09F;     // m
-constexpr float kBodyHeight = 0.32F;    // m
-constexpr float kRangeObstacle = 2.0F;  // m
+constexpr float kFootRaise = 0.09F;   // m
+constexpr float kBodyHeight = 0.32F;  // m
 // Two Go2 with mcf, standing: 0.3118 over 0.3034 and 0.322 over 0.313, public captures.
 constexpr float kHeightOverPosition = 0.0085F;  // m
 constexpr std::uint32_t kIdleTask = 4;          // an idle G1, firmware 1.4.7
@@ -78,7 +77,9 @@ void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, 
     message->gait_type = kGait;
     message->foot_raise_height = kFootRaise;
     message->body_height = kBodyHeight;
-    std::ranges::fill(message->range_obstacle, kRangeObstacle);
+    for (std::size_t side = 0; side < state.obstacle_ranges.size(); ++side) {
+      message->range_obstacle[side] = static_cast<float>(state.obstacle_ranges[side]);
+    }
     if (state.motion && state.motion->estimates) EncodeGait(*state.motion, message);
     const std::size_t feet = std::min(state.foot_force.size(), std::size(message->foot_force));
     for (std::size_t i = 0; i < feet; ++i) {

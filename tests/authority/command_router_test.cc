@@ -249,6 +249,17 @@ TEST_F(CommandRouterTest, SticksMoveAndTheirEndStops) {
   EXPECT_EQ(asked_.size(), 2U);
 }
 
+TEST_F(CommandRouterTest, SticksAvoidObstaclesWhileTheSwitchIsOn) {
+  Make();
+  router_->owner().onboard().avoids = true;
+  router_->Obey({.there = true, .ly = 1}, 0);
+  router_->owner().onboard().avoids = false;
+  router_->Obey({.there = true, .ly = 1}, 0);
+  ASSERT_EQ(asked_.size(), 2U);
+  EXPECT_TRUE(std::get<goal::Move>(asked_[0]).avoids);
+  EXPECT_FALSE(std::get<goal::Move>(asked_[1]).avoids);
+}
+
 TEST_F(CommandRouterTest, SticksWithinTheirRestMoveNothing) {
   Make();
   router_->Obey({.there = true, .lx = 0.009, .ly = -0.009, .rx = 0.009}, 0);

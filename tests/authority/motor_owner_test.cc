@@ -106,6 +106,18 @@ TEST_F(MotorOwnerTest, ResetsWhatEndsWithTheMotionService) {
   reset();
 }
 
+TEST_F(MotorOwnerTest, AvoidsObstaclesWhileTheSwitchIsOnAndTheProgramRuns) {
+  MotorOwner owner({{.name = std::string(kAvoidProgram)}}, "0", nullptr);
+  EXPECT_FALSE(owner.avoids());
+  owner.onboard().avoids = true;
+  EXPECT_TRUE(owner.avoids());
+  owner.Switch(kAvoidProgram, false);
+  EXPECT_FALSE(owner.avoids());
+  MotorOwner other({}, "0", nullptr);
+  other.onboard().avoids = true;
+  EXPECT_TRUE(other.avoids()) << "what is not listed always runs";
+}
+
 TEST_F(MotorOwnerTest, KeepsAServiceThatIsSelectedAgain) {
   MotorOwner owner = Make(true);
   owner.Step({}, 0.002, &command_);

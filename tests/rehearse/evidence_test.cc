@@ -154,6 +154,15 @@ TEST(EvidenceTest, DoesNotJudgeByATruthThatARecordingDoesNotHave) {
   EXPECT_EQ(jury.verdicts()[1].outcome, judge::Outcome::kPassed);
 }
 
+TEST(EvidenceTest, DoesNotJudgeByObstaclesThatWereNotMeasured) {
+  const Expectations expect = ReadExpect("[{always: nearest_obstacle > 0.2}]");
+  Jury jury(expect);
+  Stage(jury.Hearing(0)).Truth(1, 0.3);
+  jury.Finish();
+  EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
+  EXPECT_THAT(jury.WhyNot(0), HasSubstr("nearest_obstacle was not asked for"));
+}
+
 TEST(EvidenceTest, DoesNotJudgeByTheBaseOfARobotWhoseBaseIsFixed) {
   const Expectations expect =
       ReadExpect("[{always: base.height > -1}, {always: torque(knee) > 1}]");

@@ -211,20 +211,14 @@ TEST(VideoTest, InventsNoPicture) {
   EXPECT_EQ(reply.refusal, CallRefusal::kNotSimulated);
 }
 
-TEST(ObstaclesAvoidTest, WalksOnlyWhenSwitchedOnAndTold) {
+TEST(ObstaclesAvoidTest, WalksOnlyWhenTold) {
   Caller caller(TableOf("go2", "obstacles_avoid"));
   const char* move = R"({"x":2,"y":0,"yaw":0,"mode":0})";
   const ServiceReply ignored = caller.Ask(1003, move);
   EXPECT_EQ(ignored.code, 0);
   EXPECT_EQ(ignored.refusal, CallRefusal::kState);
   EXPECT_TRUE(caller.robot.book.goals.empty());
-  EXPECT_EQ(caller.Ask(1002).data, R"({"enable":true})");
-  EXPECT_EQ(caller.Ask(1001, R"({"enable":false})").code, 0);
-  EXPECT_EQ(caller.Ask(1002).data, R"({"enable":false})");
   EXPECT_EQ(caller.Ask(1004, R"({"is_remote_commands_from_api":true})").code, 0);
-  EXPECT_EQ(caller.Ask(1003, move).code, 0);
-  EXPECT_TRUE(caller.robot.book.goals.empty());
-  caller.Ask(1001, R"({"enable":true})");
   caller.Ask(1003, move);
   caller.Ask(1003, R"({"x":3,"y":-1,"yaw":9,"mode":1})");
   caller.Ask(1003, R"({"x":3,"y":-1,"yaw":2,"mode":2})");
@@ -236,22 +230,44 @@ TEST(ObstaclesAvoidTest, WalksOnlyWhenSwitchedOnAndTold) {
                                    MotionGoal(goal::GoTo{3, -1, 2, false})));
 }
 
-TEST(ObstaclesAvoidTest, SaysThatItWalksOnlyWhenItDoes) {
-  using testing::HasSubstr;
+TEST(ObstaclesAvoidTest, AvoidsObstaclesWhileItsSwitchIsOn) {
   Caller caller(TableOf("go2", "obstacles_avoid"));
   const char* move = R"({"x":1,"y":0,"yaw":0,"mode":0})";
-  caller.Ask(1001, R"({"enable":true})");
+  const char* go = R"({"x":1,"y":0,"yaw":0,"mode":1})";
   caller.Ask(1004, R"({"is_remote_commands_from_api":true})");
+  EXPECT_EQ(caller.Ask(1002).data, R"({"enable":false})");
   caller.Ask(1003, move);
-  EXPECT_THAT(caller.notice, HasSubstr("walks without seeing obstacles"));
+  EXPECT_EQ(caller.Ask(1001, R"({"enable":true})").code, 0);
+  EXPECT_EQ(caller.Ask(1002).data, R"({"enable":true})");
+  EXPECT_TRUE(caller.robot.owner.avoids());
+  caller.Ask(1003, move);
+  caller.Ask(1003, go);
+  caller.Ask(1001, R"({"enable":false})");
+  EXPECT_FALSE(caller.robot.owner.avoids());
+  caller.Ask(1003, go);
+  using authority::MotionGoal;
+  namespace goal = authority::goal;
+  EXPECT_THAT(
+      caller.robot.book.goals,
+      testing::ElementsAre(MotionGoal(goal::Move{.vx = 1, .hold = 1}),
+                           MotionGoal(goal::Move{.vx = 1, .hold = 1, .avoids = true}),
+                           MotionGoal(goal::GoTo{.x = 1, .from_here = true, .avoids = true}),
+                           MotionGoal(goal::GoTo{.x = 1, .from_here = true})));
+}
+
+TEST(ObstaclesAvoidTest, SaysWhetherItWalks) {
+  Caller caller(TableOf("go2", "obstacles_avoid"));
+  const char* move = R"({"x":1,"y":0,"yaw":0,"mode":0})";
+  caller.Ask(1004, R"({"is_remote_commands_from_api":true})");
+  EXPECT_EQ(caller.Ask(1003, move).code, 0);
+  caller.robot.book.verdict = authority::MotionVerdict::kIgnored;
+  EXPECT_EQ(caller.Ask(1003, move).code, 0);
   caller.robot.book.verdict = authority::MotionVerdict::kUnable;
   const ServiceReply unable = caller.Ask(1003, move);
   EXPECT_EQ(unable.code, 3202);
   EXPECT_EQ(unable.refusal, CallRefusal::kNotSimulated);
-  EXPECT_EQ(caller.notice, "");
   caller.robot.book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(1003, move).code, 3202);
-  EXPECT_EQ(caller.notice, "");
 }
 
 }  // namespace

@@ -93,14 +93,14 @@ TEST_F(StatusTextsTest, TellTheSettingsOfTheServices) {
   TellTo(0.5);
   EXPECT_THAT(
       Heard("rt/multiplestate"),
-      ElementsAre(R"({"brightness":5,"obstaclesAvoidSwitch":true,"uwbSwitch":false,"volume":5})"));
-  services_[0]->Set("enable", false);
+      ElementsAre(R"({"brightness":5,"obstaclesAvoidSwitch":false,"uwbSwitch":false,"volume":5})"));
+  services_[0]->Set("enable", true);
   services_[1]->Set("volume", 7);
   services_[2]->Set("enable", 1);
   TellTo(1.5);
   EXPECT_THAT(
       Heard("rt/multiplestate"),
-      ElementsAre(R"({"brightness":5,"obstaclesAvoidSwitch":false,"uwbSwitch":true,"volume":7})"));
+      ElementsAre(R"({"brightness":5,"obstaclesAvoidSwitch":true,"uwbSwitch":true,"volume":7})"));
 }
 
 TEST_F(StatusTextsTest, ReportTheProgramsOnlyOnceItWasAskedFor) {

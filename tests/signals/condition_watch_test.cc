@@ -143,6 +143,13 @@ TEST_F(ConditionWatchTest, KnowsTheCraneTheFeetAndTheJoints) {
   EXPECT_EQ(When("q(" + joint + ") > 7"), -1);
 }
 
+TEST_F(ConditionWatchTest, KnowsHowFarTheNearestObstacleIs) {
+  StartAs("standing");
+  EXPECT_GE(When("nearest_obstacle > 9.9 m"), 0) << "there is none";
+  StartAs("standing");
+  EXPECT_EQ(When("nearest_obstacle < 9 m"), -1);
+}
+
 // The arm of the documentation, whose column stands on the ground.
 class FixedBaseConditionWatchTest : public ConditionWatchTest {
  protected:

@@ -48,7 +48,8 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
       recovery_(body_),
       trot_(body_, estimator_, figures_),
       drive_(body_, estimator_, &stance_, figures_),
-      wheels_(figures_) {
+      wheels_(figures_),
+      asked_(!wheeled()) {
   if (policy) policy_.emplace(std::move(policy));
   Use(RowOf(DefaultGait(spec)), 0);
 }
@@ -257,8 +258,8 @@ bool QuadrupedMotion::Topples() const {
 // Wheels roll ahead and through wide bends. What goes sideways or turns on the spot, where tyres
 // would have to slip, is stepped with the wheels braked, and what follows for a while: to change
 // between the two it has to stop.
-void QuadrupedMotion::Move(double dt) {
-  const Vector3d asked = asked_.Step(dt, Here());
+void QuadrupedMotion::Move(const authority::MotionInput& input, double dt) {
+  const Vector3d asked = asked_.Step(dt, Here(), input.obstacles);
   const Vector3d taken = policy_ ? asked : trot_.Taken(asked);
   const bool stepping = stepping_ && !then_;
   const bool rolls = wheeled() && !stepping && std::abs(taken.y()) <= figures_.walk.dead_band.y() &&
@@ -340,7 +341,8 @@ robot::MotionState QuadrupedMotion::state() const {
                            .gait = gait_->type,
                            .wanted_height = wanted_.place.z(),
                            .foot_raise = figures_.walk.foot_raise,
-                           .keeps_stepping = stepping_};
+                           .keeps_stepping = stepping_,
+                           .avoids = asked_.avoids()};
   for (std::size_t leg = 0; leg < state.feet.size(); ++leg) {
     state.feet[leg] = reading_.feet[leg];
     state.feet_speed[leg] = reading_.feet_speed[leg];
@@ -358,7 +360,7 @@ void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
   if (state_ == kDamped && fallen_ && auto_recovery_ && since_ > kFallenRest) Enter(kRecovering);
   if (state_ == kLying && since_ > kLyingRest) Enter(kDamped);
   if (policy_) policy_->Sense(input);
-  Move(dt);
+  Move(input, dt);
   if (now_ != nullptr) now_->Step(reading_, dt, &legs_);
   if (state_ == kDamped) {
     Brake(figures_.damping_kd, command);

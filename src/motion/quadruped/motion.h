@@ -57,7 +57,8 @@ class QuadrupedMotion : public authority::Motion {
   // hard that it has to step.
   Eigen::Vector3d Rolling() const;
   bool Topples() const;
-  void Move(double dt);  // begins to walk or drive, and ends what was not renewed
+  // Begins to walk or drive, and ends what was not renewed.
+  void Move(const authority::MotionInput& input, double dt);
   // Of a step: falls and their effects; commands to the motors.
   void Wheels(const authority::MotionInput& input, robot::RobotCommand* command);
 

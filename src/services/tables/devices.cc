@@ -28,32 +28,40 @@ ServiceReply PlayChunk(const ServiceCall& call) {
 
 ServiceReply StopPlaying(const ServiceCall&) { return {}; }
 
+ServiceReply SwitchAvoidance(const ServiceCall& call) {
+  const bool on = call.parameter.at("enable").get<bool>();
+  (*call.settings)["enable"] = on;
+  call.owner->onboard().avoids = on;
+  return {};
+}
+
 // Modes of obstacles_avoid's Move: 0 velocity, 1 displacement from here, 2 position in the world.
 ServiceReply AvoidingMove(const ServiceCall& call) {
-  const Settings& settings = *call.settings;
   // [docs]: nothing moves before UseRemoteCommandFromApi(true).
-  if (settings.at("enable") != true || settings.at("remote_from_api") != true) {
-    return {.refusal = CallRefusal::kState};
-  }
+  if (call.settings->at("remote_from_api") != true) return {.refusal = CallRefusal::kState};
   namespace goal = authority::goal;
   const auto within = [&](const char* key, double bound) {
     return std::clamp(call.parameter.at(key).get<double>(), -bound, bound);
   };
   const int mode = call.parameter.at("mode").get<int>();
-  authority::MotionGoal wish =
-      goal::Move{within("x", 1.5), within("y", 1.0), within("yaw", 1.57), 1};
+  const bool avoids = call.owner->avoids();
+  authority::MotionGoal wish = goal::Move{.vx = within("x", 1.5),
+                                          .vy = within("y", 1.0),
+                                          .yaw_rate = within("yaw", 1.57),
+                                          .hold = 1,
+                                          .avoids = avoids};
   if (mode != 0) {
     const double most = mode == 1 ? 2 : kInf;
-    wish = goal::GoTo{within("x", most), within("y", most), within("yaw", mode == 1 ? 1.57 : kInf),
-                      mode == 1};
+    wish = goal::GoTo{.x = within("x", most),
+                      .y = within("y", most),
+                      .yaw = within("yaw", mode == 1 ? 1.57 : kInf),
+                      .from_here = mode == 1,
+                      .avoids = avoids};
   }
   const authority::MotionVerdict verdict = call.owner->Ask(wish);
-  if (verdict == authority::MotionVerdict::kTaken) {
-    *call.notice = "obstacles_avoid Move: walks without seeing obstacles, no lidar is modelled";
-    return {};
-  }
-  if (verdict == authority::MotionVerdict::kIgnored) return {};
-  return {.code = kRpcServerInternal};
+  const bool done =
+      verdict == authority::MotionVerdict::kTaken || verdict == authority::MotionVerdict::kIgnored;
+  return {.code = done ? kRpcOk : kRpcServerInternal};
 }
 
 }  // namespace
@@ -67,22 +75,24 @@ ServiceTable ObstaclesAvoidTable() {
       .program = "obstacles_avoidance",
       .rows =
           {
-              Row(1001, "SwitchSet", {Bool("enable")}, KeepSetting{"enable"}, "kept", kSdk),
+              Row(1001, "SwitchSet", {Bool("enable")}, Special{&SwitchAvoidance},
+                  "whether Move and the remote's sticks avoid obstacles", kSdk),
               Row(1002, "SwitchGet", {}, GiveSetting{"enable", "enable"},
-                  "what was set; true at the start", "[sdk] go2/obstacles_avoid; [seen] on a Go2"),
+                  "what was set; false at the start",
+                  "[sdk] go2/obstacles_avoid; [seen] on a Go2 after boot"),
               Row(1003, "Move", {Number("x"), Number("y"), Number("yaw"), Int("mode", 0, 2)},
                   Special{&AvoidingMove},
-                  "without seeing obstacles; mode 0: velocity for 1 s, within 1.5, 1 m/s, 1.57 "
-                  "rad/s; "
-                  "1: to a position from here, within 2 m, 1.57 rad; 2: to a position of "
-                  "rt/sportmodestate",
-                  "[sdk] go2/obstacles_avoid; [docs] ranges; that more is clamped, and which "
-                  "world mode 2 means, is assumed"),
+                  "mode 0: velocity for 1 s, within 1.5, 1 m/s, 1.57 rad/s; 1: to a position from "
+                  "here, within 2 m, 1.57 rad; 2: to a position of rt/sportmodestate; without the "
+                  "switch through obstacles",
+                  "[sdk] go2/obstacles_avoid; [docs] ranges; that more is clamped, that it walks "
+                  "without the switch, and which world mode 2 means, is assumed"),
               Row(1004, "UseRemoteCommandFromApi", {Bool("is_remote_commands_from_api")},
                   KeepSetting{"remote_from_api"}, "stored; Move is ignored without it",
                   "[sdk] go2/obstacles_avoid; [docs]"),
           },
-      .settings = {{"enable", "true"}, {"remote_from_api", "false"}}};
+      .settings = {{"enable", "false"}, {"remote_from_api", "false"}},
+      .note = "What it sees and avoids: [seeing.md](../seeing.md#obstacles)."};
 }
 
 ServiceTable VuiTable() {
