@@ -68,6 +68,7 @@ bool IsThirdParty(const config::RobotConfig& robot) {
 // A third-party model may have other names than the robot's description, which then takes them.
 mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
   const config::SceneFile scene(config->scene, config->terrain);
+  const physics::Surroundings around(scene.path(), config->objects);
   const double timestep = config->physics.timestep;
   physics::LoadNotes loaded;
   mjcf::ModelHandle model;
@@ -80,12 +81,12 @@ mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
                                   .x = robot.start.at[0],
                                   .y = robot.start.at[1],
                                   .yaw = robot.start.at[2]},
-                                 scene.path(), timestep, &loaded);
+                                 around, timestep, &loaded);
     robot.spec = std::move(fitted.spec);
     if (config->robots.size() == 1) model = std::move(fitted.model);
   }
   if (model == nullptr) {
-    model = physics::LoadWorldModel(PlacedRobots(*config), scene.path(), timestep, &loaded);
+    model = physics::LoadWorldModel(PlacedRobots(*config), around, timestep, &loaded);
   }
   malloc_trim(0);  // compiling needs many times the memory of the result, which may be locked later
   Add(std::move(loaded), notes);

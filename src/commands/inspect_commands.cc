@@ -60,8 +60,8 @@ std::string Listed(const std::string& what, const std::vector<std::string>& name
 void CheckFits(const config::Config& config, const config::SceneFile& scene,
                physics::LoadNotes* notes) {
   try {
-    physics::LoadWorldModel(assembly::PlacedRobots(config), scene.path(), config.physics.timestep,
-                            notes);
+    physics::LoadWorldModel(assembly::PlacedRobots(config), {scene.path(), config.objects},
+                            config.physics.timestep, notes);
   } catch (const ModelError& error) {
     const std::string& revision = config.robots[0].spec.revision;
     if (revision.empty() || config.robots.size() > 1) throw;
@@ -92,8 +92,10 @@ std::string CheckLayer(const std::filesystem::path& file, const schema::YamlValu
                        const std::string& robot) {
   RequireRobot(robot, file.string() +
                           ": is a layer (neither robot.name nor extends); check it with a robot");
-  const bool is_scene = std::ranges::all_of(
-      document.keys, [](const auto& key) { return key.text == "scene" || key.text == "terrain"; });
+  constexpr std::array kOfScenes = {"scene", "terrain", "objects"};
+  const bool is_scene = std::ranges::all_of(document.keys, [&](const auto& key) {
+    return std::ranges::find(kOfScenes, key.text) != kOfScenes.end();
+  });
   config::Layers layers{.robot = robot};
   if (is_scene) {
     layers.sets.push_back("scene=" + std::filesystem::absolute(file).string());

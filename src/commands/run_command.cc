@@ -26,6 +26,7 @@
 #include "exec/child_process.h"
 #include "exec/program_output.h"
 #include "exec/robot_address.h"
+#include "objects/object_kinds.h"
 #include "remote/arguments.h"
 #include "run/run.h"
 #include "script/script.h"
@@ -157,6 +158,7 @@ script::Script LoadScript(const RunArguments& arguments, const config::Config& c
     signals::Names& one = names.emplace_back(signals::RunningNames(robot.spec));
     one.program = !arguments.command.empty();
     one.robot = robot.name;
+    one.objects = objects::MovingNamesOf(config.objects);
   }
   return script::LoadScript(arguments.script, signals::Joined(std::move(names)));
 }

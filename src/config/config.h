@@ -7,6 +7,7 @@
 
 #include "authority/command_gate.h"
 #include "authority/motion_config.h"
+#include "objects/object_kinds.h"
 #include "physics/crane.h"
 #include "robot/fault_bank.h"
 #include "robot/randomization.h"
@@ -91,6 +92,7 @@ struct Config {
   PhysicsConfig physics;
   std::string scene = "flat";  // a kind of terrain, "row", a name in models/scene or a path
   terrain::TerrainSpec terrain;
+  std::vector<objects::ObjectSpec> objects;
   robot::RandomizationSpec randomization;
   std::vector<RobotConfig> robots = std::vector<RobotConfig>(1);
 };

@@ -31,6 +31,18 @@ void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
          DescribePatch);
 }
 
+void DescribeObject(Archive& a, objects::ObjectSpec& o) {
+  a.Word(UNDERSTUDY_NVP(o.kind), {"What it is"}, objects::ObjectKindNames());
+  a.Key(UNDERSTUDY_NVP(o.name),
+        {"What requests, conditions and viewers call it; \"\" is its kind, with a number from the "
+         "second of a kind on, such as cube_2"});
+  a.Key(UNDERSTUDY_NVP(o.pos),
+        {"m", {-1000, 1000}, "Where the middle of its underside is in the world at the start"});
+  a.Key(UNDERSTUDY_NVP(o.yaw), {"rad", {-10, 10}, "Its turn about the world's z axis"});
+  a.Key(UNDERSTUDY_NVP(o.mass), {"kg", {0, 1000}, "0 is that of its kind"});
+  a.Key(UNDERSTUDY_NVP(o.friction), {"", {0, 5}, "Sliding friction; 0 is that of its kind"});
+}
+
 }  // namespace
 
 void DescribeScene(Archive& a, Config& c) {
@@ -39,6 +51,9 @@ void DescribeScene(Archive& a, Config& c) {
          "MJCF file, or a YAML file with scene and terrain"});
   a.Section(UNDERSTUDY_NVP(c.terrain), {"Generated ground (docs/reference/terrain.md)"},
             DescribeTerrain);
+  a.List(UNDERSTUDY_NVP(c.objects),
+         {"Things in the scene that robots push, grasp and see (docs/reference/objects.md)"},
+         DescribeObject, &objects::ObjectSpec::name);
 }
 
 }  // namespace understudy::config

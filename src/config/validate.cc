@@ -12,6 +12,7 @@
 #include "config/keys.h"
 #include "config/randomization_keys.h"
 #include "config/validate_robot.h"
+#include "objects/object_kinds.h"
 #include "robot/command_topics.h"
 #include "robot/fault_bank.h"
 #include "schema/archive.h"
@@ -104,6 +105,30 @@ void CheckFaults(const Config& config, const Checker& checker) {
   }
 }
 
+void CheckObjects(const Config& config, const Checker& checker) {
+  constexpr std::string_view kLetters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  constexpr std::size_t kLongest = 40;
+  const std::vector<objects::ObjectSpec>& list = config.objects;
+  checker.Check(list.size() <= objects::kMostObjects, "objects",
+                "expected at most " + std::to_string(objects::kMostObjects) + ", got " +
+                    std::to_string(list.size()));
+  const std::vector<std::string> names = objects::NamesOf(list);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string key = "objects." + std::to_string(i);
+    const std::string& name = list[i].name;
+    checker.Check(
+        name.size() <= kLongest && name.find_first_not_of(kLetters) == std::string::npos,
+        key + ".name",
+        "expected at most 40 letters, digits, _ and -, got '" + schema::OneLine(name) + "'");
+    const auto other = std::ranges::find(names, names[i]) - names.begin();
+    checker.Check(static_cast<std::size_t>(other) == i, key + ".name",
+                  "'" + names[i] + "' is that of objects." + std::to_string(other) + " too");
+    checker.Check(list[i].mass == 0 || !objects::KindOf(list[i]).fixed(), key + ".mass",
+                  "a " + list[i].kind + " is fixed to the world; expected 0");
+  }
+}
+
 }  // namespace
 
 void ValidateTerrain(const Config& config, const Places& places) {
@@ -126,6 +151,7 @@ void Validate(const Config& config, const Places& places) {
   ValidateTerrain(config, places);
   const Checker checker(places);
   ValidateRobot(config.robots[0].spec, checker);
+  CheckObjects(config, checker);
   CheckRates(config, checker);
   CheckRandomization(config, checker);
   CheckMotionService(config, checker);

@@ -30,6 +30,14 @@ Result<int> FindBody(const physics::World& world, std::size_t robot, std::string
   return body;
 }
 
+Result<const physics::LooseBody*> FindObject(const physics::World& world, std::string_view name) {
+  if (const physics::LooseBody* const found = world.FindObject(name)) return found;
+  if (world.objects().empty()) return Error{"the scene has no objects"};
+  std::vector<std::string> names;
+  for (const physics::LooseBody& object : world.objects()) names.push_back(object.name);
+  return Error{"the scene has no object '" + std::string(name) + "'" + DidYouMean(name, names)};
+}
+
 std::uint16_t KeysOf(const Request& request) {
   return static_cast<std::uint16_t>(request.number("keys"));
 }
@@ -137,6 +145,13 @@ Answer RequestActs::LetGo(World& world, Robot& robot, Request& request, double) 
   const auto body = BodyOf(world, robot, &request);
   if (!body) return body.error();
   world.forces_[request.robot].drags.Release(*body);
+  return {};
+}
+
+Answer RequestActs::PlaceObject(World& world, Robot&, Request& request, double) {
+  const auto object = FindObject(world.physics_, request.name());
+  if (!object) return object.error();
+  world.physics_.PlaceObject(**object, request.vector("pos"), request.number("yaw"));
   return {};
 }
 
@@ -259,6 +274,10 @@ Answer World::CheckNames(const Request& request) const {
   if (request.row->carry_out == RequestActs::Set) {
     const auto value = SettingOf(request);
     return value ? Answer{} : Answer{value.error()};
+  }
+  if (request.row->carry_out == RequestActs::PlaceObject) {
+    const auto object = FindObject(physics_, request.name());
+    return object ? Answer{} : Answer{Error{"object: " + object.why()}};
   }
   const bool named = std::ranges::any_of(
       request.row->fields, [](const Field& field) { return field.type == &types::kBody; });

@@ -15,7 +15,7 @@ struct RequestActs {
   using Act = Answer(World& world, Robot& robot, Request& request, double t);
 
   static Act Pause, Resume, Step, SetSpeed, Reset;
-  static Act Push, Drag, LetGo;
+  static Act Push, Drag, LetGo, PlaceObject;
   static Act LowerCrane, RaiseCrane, AttachCrane, ReleaseCrane, Clamp;
   static Act SwitchPower, SetFault, Set, MoveJoint;
   static Act PressKeys, HoldKeys, ReleaseKeys, MoveSticks, SetRemote, SwitchRemoteOn,

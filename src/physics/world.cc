@@ -38,6 +38,7 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
     robot.ReadMotion();
     robot.ReadAcceleration();
   }
+  objects_ = FindLooseBodies(*model_, robots_);
   for (int geom = 0; geom < model_->ngeom; ++geom) {
     if (!IsGround(geom)) continue;
     const double friction = model_->geom_friction[3 * geom];
@@ -108,6 +109,23 @@ void World::AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3
   mjtNum* wrench = data_->xfrc_applied + 6 * body;
   mju_addTo3(wrench, force_W.data());
   mju_addTo3(wrench + 3, torque.data());
+}
+
+const LooseBody* World::FindObject(std::string_view name) const {
+  const auto found = std::ranges::find(objects_, name, &LooseBody::name);
+  return found == objects_.end() ? nullptr : &*found;
+}
+
+std::span<const double> World::ObjectPosition(const LooseBody& object) const {
+  return {data_->qpos + object.q, 7};
+}
+
+std::span<const double> World::ObjectVelocity(const LooseBody& object) const {
+  return {data_->qvel + object.v, 6};
+}
+
+void World::PlaceObject(const LooseBody& object, const Eigen::Vector3d& p_WP, double yaw) {
+  Place(object, p_WP, yaw, *model_, data_.get());
 }
 
 int World::FindBody(const std::string& name) const {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
+#include "physics/loose_bodies.h"
 #include "physics/robot_body.h"
 
 namespace understudy::physics {
@@ -64,6 +66,16 @@ class World {
   // Returns the least and the most sliding friction that the ground has now, without the robots'.
   std::array<double, 2> GroundFriction() const;
 
+  // The objects of the world, and one by its name; null if there is none.
+  std::span<const LooseBody> objects() const { return objects_; }
+  const LooseBody* FindObject(std::string_view name) const;
+  // Of the next step: x, y, z [m] and the quaternion; linear velocity [m/s] in the world, angular
+  // [rad/s] in the object's frame.
+  std::span<const double> ObjectPosition(const LooseBody& object) const;
+  std::span<const double> ObjectVelocity(const LooseBody& object) const;
+  // Puts an object at rest upright on a point [m], turned by yaw [rad]. Allocates nothing.
+  void PlaceObject(const LooseBody& object, const Eigen::Vector3d& p_WP, double yaw);
+
   // Returns the index of a body by its name in the world's model, -1 if there is none.
   int FindBody(const std::string& name) const;
   Eigen::Vector3d CenterOfMass(int body) const;  // m, world; as of the last BeginStep
@@ -90,6 +102,7 @@ class World {
   mjcf::ModelHandle model_, nominal_;
   mjcf::DataHandle data_;
   std::vector<RobotBody> robots_;
+  std::vector<LooseBody> objects_;
   std::vector<Ground> ground_;
 };
 

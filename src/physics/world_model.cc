@@ -17,6 +17,7 @@
 #include "mjcf/mount.h"
 #include "mjcf/mujoco_hooks.h"
 #include "mjcf/revise.h"
+#include "objects/object_bodies.h"
 #include "physics/feet.h"
 #include "physics/geom_extent.h"
 #include "physics/joint_dynamics.h"
@@ -47,10 +48,14 @@ void AddClamp(const std::string& base, mjcf::MjcfElement* root) {
 // Reserves memory for contacts, which MuJoCo 2 allocates in advance and MuJoCo 3 as needed. The
 // most seen is a G1 that struggles on rough ground: 68 contacts, 302 rows. Twice that is room; the
 // memory, and the time to begin anew, grow with the square of the rows.
-void MakeRoom(const std::vector<LoadedRobot>& robots, mjcf::MjcfElement* root) {
+void MakeRoom(const std::vector<LoadedRobot>& robots, std::size_t objects,
+              mjcf::MjcfElement* root) {
 #if mjVERSION_HEADER < 300
   constexpr int kContacts = 150, kRows = 600;
-  int contacts = 0, rows = 0;
+  // A box lies on another by eight corners of four rows each, and half as much is room: assumed.
+  constexpr int kContactsOfObject = 12, kRowsOfObject = 48;
+  int contacts = kContactsOfObject * static_cast<int>(objects);
+  int rows = kRowsOfObject * static_cast<int>(objects);
   for (const LoadedRobot& robot : robots) {
     contacts += std::max(robot.model->nconmax, kContacts);
     rows += std::max(robot.model->njmax, kRows);
@@ -59,6 +64,7 @@ void MakeRoom(const std::vector<LoadedRobot>& robots, mjcf::MjcfElement* root) {
       Element("size", {{"nconmax", std::to_string(contacts)}, {"njmax", std::to_string(rows)}}));
 #else
   (void)robots;
+  (void)objects;
   (void)root;
 #endif
 }
@@ -270,7 +276,7 @@ mjcf::ModelHandle Compile(const mjcf::MjcfElement& root, LoadNotes* notes) {
 }
 
 mjcf::ModelHandle Compose(const std::vector<PlacedRobot>& placed, std::vector<LoadedRobot> robots,
-                          const std::filesystem::path& scene_file, double timestep, Looks looks,
+                          const Surroundings& around, double timestep, Looks looks,
                           LoadNotes* notes) {
   std::string place;
   bool has_ground = false;
@@ -285,12 +291,18 @@ mjcf::ModelHandle Compose(const std::vector<PlacedRobot>& placed, std::vector<Lo
   }
   mjcf::MjcfElement world = JoinRobots(placed, &robots, notes);
   if (!has_ground) {
-    mjcf::MjcfElement scene = Read(scene_file, looks, notes);
-    mjcf::CompileMjcf(scene);
+    mjcf::MjcfElement scene = Read(around.file, looks, notes);
+    objects::RequireOwnNames(around.objects, *mjcf::CompileMjcf(scene), around.file);
     std::move(scene.children.begin(), scene.children.end(), std::back_inserter(world.children));
-    place += " in " + scene_file.string();
+    place += " in " + around.file.string();
   }
-  MakeRoom(robots, &world);
+  if (!around.objects.empty()) {
+    // Names of several robots' bodies have a slash.
+    if (placed.size() == 1)
+      objects::RequireOwnNames(around.objects, *robots[0].model, placed[0].file);
+    world.children.push_back(objects::MakeObjectBodies(around.objects));
+  }
+  MakeRoom(robots, around.objects.size(), &world);
   mjcf::ModelHandle model;
   try {
     model = Compile(world, notes);
@@ -324,20 +336,18 @@ mjcf::ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* no
   }
 }
 
-mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots,
-                                 const std::filesystem::path& scene_file, double timestep,
-                                 LoadNotes* notes) {
+mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots, const Surroundings& around,
+                                 double timestep, LoadNotes* notes) {
   std::vector<LoadedRobot> loaded;
   for (const PlacedRobot& robot : robots) {
     loaded.push_back(LoadRobot(robot, Looks::kLeftOut, notes));
     RequireFeet(robot.spec, NameCheck(*loaded.back().model, robot.file));
   }
-  return Compose(robots, std::move(loaded), scene_file, timestep, Looks::kLeftOut, notes);
+  return Compose(robots, std::move(loaded), around, timestep, Looks::kLeftOut, notes);
 }
 
-mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,
-                                 const std::filesystem::path& scene_file, double timestep,
-                                 const std::vector<std::string>& looks) {
+mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots, const Surroundings& around,
+                                 double timestep, const std::vector<std::string>& looks) {
   const auto load = [&](Looks kept, const std::vector<std::string>& by) {
     std::vector<LoadedRobot> loaded;
     for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -346,7 +356,7 @@ mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,
       if (i < by.size() && !by[i].empty()) mjcf::PutOn(mjcf::FindLook(by[i], tree), &tree);
       mjcf::AddCameras(robots[i].spec, &tree);
     }
-    return Compose(robots, std::move(loaded), scene_file, timestep, kept, nullptr);
+    return Compose(robots, std::move(loaded), around, timestep, kept, nullptr);
   };
   // A file of looks may have gone since the start, or be one that MuJoCo cannot read.
   try {
@@ -370,8 +380,8 @@ std::string CheckLook(const PlacedRobot& robot, const std::string& look) {
   return found.file.string() + ", " + std::to_string(found.bodies.size()) + " bodies";
 }
 
-FittedModel LoadFittedModel(const PlacedRobot& robot, const std::filesystem::path& scene_file,
-                            double timestep, LoadNotes* notes) {
+FittedModel LoadFittedModel(const PlacedRobot& robot, const Surroundings& around, double timestep,
+                            LoadNotes* notes) {
   std::vector<LoadedRobot> loaded;
   loaded.push_back(LoadRobot(robot, Looks::kLeftOut, notes));
   const mjModel& own = *loaded.front().model;
@@ -379,7 +389,7 @@ FittedModel LoadFittedModel(const PlacedRobot& robot, const std::filesystem::pat
   fitted.spec = mjcf::FitNames(robot.spec, own, &notes->warnings);
   NoteFeet(own, fitted.spec, notes);
   mjcf::ModelHandle model =
-      Compose({fitted}, std::move(loaded), scene_file, timestep, Looks::kLeftOut, notes);
+      Compose({fitted}, std::move(loaded), around, timestep, Looks::kLeftOut, notes);
   return {std::move(fitted.spec), std::move(model)};
 }
 

@@ -39,6 +39,7 @@ struct RecordingHead {
   std::optional<RosRobot> ros{};  // the topics of ros_topics.h; none: they are left out
   std::size_t events_of = 0;  // the number of the robot whose events and the world's are written
   BaseAddress base{};         // of the truth
+  ObjectAddresses objects{};  // of the truth
   std::optional<std::uint64_t> start{};  // when the run began, ns since 1970; none: by the clock
 };
 

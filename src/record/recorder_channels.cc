@@ -37,7 +37,9 @@ void Recorder::Begin(const RecordingHead& head) {
     metadata.merge(StringMap{{"from", "simulation"}, {"offered_qos_profiles", Qos(1, false)}});
     return AddChannel(topic, type, writer_.AddSchema(type, "ros2msg", text), metadata);
   };
-  truth_channel_ = channel(kTruthTopic, kTruthType, kTruthText, head.base.metadata());
+  StringMap addresses = head.base.metadata();
+  AddObjects(head.objects, &addresses);
+  truth_channel_ = channel(kTruthTopic, kTruthType, kTruthText, addresses);
   event_channel_ = channel(kEventTopic, kEventType, kEventText);
   damage_channel_ = channel(kDamageTopic, kDamageType, kDamageText);
   if (ros_) BeginRos();

@@ -9,6 +9,7 @@ namespace understudy::record {
 namespace {
 
 constexpr char kBaseQpos[] = "base_qpos", kBaseQvel[] = "base_qvel";
+constexpr char kObjectQpos[] = "object_qpos:", kObjectQvel[] = "object_qvel:";
 
 BytesIn Begin(ByteSpan bytes) {
   BytesIn in(bytes);
@@ -43,21 +44,39 @@ std::string TakeText(BytesIn* in) {
 
 }  // namespace
 
+namespace {
+
+std::size_t NumberOf(const std::string& key, const StringMap& metadata) {
+  std::size_t value = 0;
+  if (const auto found = metadata.find(key); found != metadata.end()) {
+    const std::string& text = found->second;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+  }
+  return std::min<std::size_t>(value, 1'000'000);
+}
+
+}  // namespace
+
 StringMap BaseAddress::metadata() const {
   if (qpos == 0 && qvel == 0) return {};
   return {{kBaseQpos, std::to_string(qpos)}, {kBaseQvel, std::to_string(qvel)}};
 }
 
 BaseAddress BaseAddress::Of(const StringMap& metadata) {
-  const auto number = [&metadata](const char* key) {
-    std::size_t value = 0;
-    if (const auto found = metadata.find(key); found != metadata.end()) {
-      const std::string& text = found->second;
-      std::from_chars(text.data(), text.data() + text.size(), value);
-    }
-    return std::min<std::size_t>(value, 1'000'000);
-  };
-  return {.qpos = number(kBaseQpos), .qvel = number(kBaseQvel)};
+  return {.qpos = NumberOf(kBaseQpos, metadata), .qvel = NumberOf(kBaseQvel, metadata)};
+}
+
+void AddObjects(const ObjectAddresses& objects, StringMap* metadata) {
+  for (const auto& [name, address] : objects) {
+    (*metadata)[kObjectQpos + name] = std::to_string(address.qpos);
+    (*metadata)[kObjectQvel + name] = std::to_string(address.qvel);
+  }
+}
+
+std::optional<BaseAddress> FindObject(std::string_view name, const StringMap& metadata) {
+  const std::string qpos = kObjectQpos + std::string(name), qvel = kObjectQvel + std::string(name);
+  if (!metadata.contains(qpos) || !metadata.contains(qvel)) return {};
+  return BaseAddress{.qpos = NumberOf(qpos, metadata), .qvel = NumberOf(qvel, metadata)};
 }
 
 bool HasFreeBase(const Truth& truth, const BaseAddress& base) {

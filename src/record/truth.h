@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +42,7 @@ struct Truth {
   double nearest_obstacle = std::numeric_limits<double>::quiet_NaN();
 };
 
-// Where in qpos and qvel the joint of the robot's base begins, if its base is free.
+// Where in qpos and qvel a free joint begins: that of the robot's base, or of an object.
 struct BaseAddress {
   std::size_t qpos = 0, qvel = 0;
 
@@ -47,6 +50,13 @@ struct BaseAddress {
   StringMap metadata() const;
   static BaseAddress Of(const StringMap& metadata);
 };
+
+// Those of the objects of the scene, by name.
+using ObjectAddresses = std::map<std::string, BaseAddress, std::less<>>;
+// Adds them to the metadata of the channel.
+void AddObjects(const ObjectAddresses& objects, StringMap* metadata);
+// Returns the one of that name; nullopt if there is none.
+std::optional<BaseAddress> FindObject(std::string_view name, const StringMap& metadata);
 
 // Whether the base of the robot is free. A model without any free joint has as many of qpos as of
 // qvel.

@@ -82,7 +82,7 @@ void Evidence::Take(const record::McapChannel& channel, std::string_view ros_typ
     now_ = at;
   }
   if (channel.topic == record::kTruthTopic) {
-    TakeTruth(record::DecodeTruth(message.data), record::BaseAddress::Of(channel.metadata));
+    TakeTruth(record::DecodeTruth(message.data), channel.metadata);
   } else if (channel.topic == record::kEventTopic) {
     TakeEvent(record::DecodeEvent(message.data));
   } else {
@@ -90,16 +90,34 @@ void Evidence::Take(const record::McapChannel& channel, std::string_view ros_typ
   }
 }
 
-void Evidence::TakeTruth(const record::Truth& truth, const record::BaseAddress& base) {
+void Evidence::TakeTruth(const record::Truth& truth, const record::StringMap& metadata) {
   truth_ = true;
-  const signals::TruthView view = ViewOf(truth, base);
+  const signals::TruthView view = ViewOf(truth, record::BaseAddress::Of(metadata));
   fixed_base_ = view.base_position.empty();
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = slots_[i].signal;
     if (signal.robot != robot_ || signal.source != Source::kTruth) continue;
     if (signal.of_base && fixed_base_) continue;
+    if (!signal.object.empty()) {
+      TakeObject(truth, metadata, i);
+      continue;
+    }
     values_[i] = signal.Told(signal.of(view, signal.index));
   }
+}
+
+void Evidence::TakeObject(const record::Truth& truth, const record::StringMap& metadata,
+                          std::size_t place) {
+  Slot& slot = slots_[place];
+  const auto at = record::FindObject(slot.signal.object, metadata);
+  const bool there = at && at->qpos + 7 <= truth.qpos.size() && at->qvel + 6 <= truth.qvel.size();
+  if (!there) {
+    values_[place] = judge::kUnknown;
+    slot.wrong = slot.signal.name + ": this recording has no object '" + slot.signal.object + "'";
+    return;
+  }
+  values_[place] = slot.signal.of_object({.position = std::span(truth.qpos).subspan(at->qpos, 7),
+                                          .velocity = std::span(truth.qvel).subspan(at->qvel, 6)});
 }
 
 void Evidence::TakeEvent(const record::RecordedEvent& event) {

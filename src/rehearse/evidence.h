@@ -69,7 +69,8 @@ class Evidence {
     std::optional<FirstJump> jump{};        // kFirstJump
   };
 
-  void TakeTruth(const record::Truth& truth, const record::BaseAddress& base);
+  void TakeTruth(const record::Truth& truth, const record::StringMap& metadata);
+  void TakeObject(const record::Truth& truth, const record::StringMap& metadata, std::size_t place);
   void TakeEvent(const record::RecordedEvent& event);
   void TakeJump(const std::string& topic, std::string_view ros_type, record::ByteSpan message,
                 std::size_t place);

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "config/data_dir.h"
+#include "objects/object_kinds.h"
 #include "rehearse/evidence.h"
 #include "rehearse/with_settings.h"
 #include "rehearse/yaml_values.h"
@@ -51,6 +52,7 @@ constexpr ScenarioKey kScenarioKeys[] = {
     {"faults", "a list", "What [fails](faults.md) from the start, or planned with `at`", "faults"},
     {"scene", "a kind of terrain or a file",
      "Ground; a file is looked for beside the scenario first"},
+    {"objects", "a list", "[Things in the scene](objects.md)", "objects"},
     {"clock", "real, simulated",
      "Of robot and program: the computer's, or one that [waits for the program](../clock.md); "
      "real unless given"},
@@ -251,6 +253,7 @@ Names NamesOf(const config::Config& config, bool program, const Of& of) {
     Names& one = names.emplace_back(of(robot.spec));
     one.robot = robot.name;
     one.program = program;
+    one.objects = objects::MovingNamesOf(config.objects);
   }
   return signals::Joined(std::move(names));
 }

@@ -63,6 +63,14 @@ record::BaseAddress BaseOf(const physics::World& world, std::size_t robot) {
           .qvel = static_cast<std::size_t>(body.base_velocity().data() - world.data().qvel)};
 }
 
+record::ObjectAddresses ObjectsOf(const physics::World& world) {
+  record::ObjectAddresses objects;
+  for (const physics::LooseBody& object : world.objects()) {
+    objects[object.name] = {.qpos = object.q, .qvel = object.v};
+  }
+  return objects;
+}
+
 record::RecordingHead HeadOf(const config::Config& config, std::size_t number,
                              const robot::Draws& draws, const emulator::World& world) {
   const config::RobotConfig& robot = config.robots[number];
@@ -89,6 +97,7 @@ record::RecordingHead HeadOf(const config::Config& config, std::size_t number,
   head.damage = SheetOf(world, number);
   head.events_of = number;
   head.base = BaseOf(world.physics(), number);
+  head.objects = ObjectsOf(world.physics());
   return head;
 }
 

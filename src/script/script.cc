@@ -223,6 +223,10 @@ void Play(const Script& script, emulator::World* world) {
     if (!event.when) continue;
     ForEachLeaf(script.conditions.formulas[*event.when], [&](const judge::Leaf& leaf) {
       const signals::Signal& signal = script.conditions.signals[leaf.signal];
+      if (!signal.object.empty() && world->physics().FindObject(signal.object) == nullptr) {
+        throw ConfigError(event.where + ": when: " + signal.name + ": the scene has no object '" +
+                          signal.object + "'");
+      }
       if (signal.of_base && world->physics().robot(signal.robot).base_position().empty()) {
         throw ConfigError(event.where + ": when: " + signal.name +
                           ": the base of this robot is fixed and does not move");

@@ -29,6 +29,7 @@ ConditionWatch::ConditionWatch(signals::Conditions conditions, const emulator::W
     Slot& slot = slots_[i];
     const emulator::Robot& robot = world.robot(signal.robot);
     if (signal.source == Source::kTruth) measured_[signal.robot].asked = true;
+    if (!signal.object.empty()) slot.object = world.physics().FindObject(signal.object);
     measured_[signal.robot].foot_force.resize(robot.spec().feet.size());
     values_.push_back(
         signal.of_one_instant() || signal.source == Source::kEventCount ? 0 : judge::kUnknown);
@@ -133,7 +134,11 @@ void ConditionWatch::Measure(const emulator::World& world) {
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = conditions_.signals[i];
-    if (signal.source == Source::kTruth) {
+    if (slots_[i].object != nullptr) {
+      const physics::LooseBody& object = *slots_[i].object;
+      values_[i] = signal.of_object({.position = world.physics().ObjectPosition(object),
+                                     .velocity = world.physics().ObjectVelocity(object)});
+    } else if (signal.of != nullptr) {
       values_[i] = signal.Told(signal.of(measured_[signal.robot].truth, signal.index));
     }
     if (signal.source == Source::kField) {

@@ -10,6 +10,7 @@
 #include "emulator/told_event.h"
 #include "judge/formula.h"
 #include "perception/nearest_obstacle.h"
+#include "physics/loose_bodies.h"
 #include "signals/recent_arrivals.h"
 #include "signals/signals.h"
 
@@ -40,6 +41,7 @@ class ConditionWatch final : public emulator::ScriptConditions {
     std::size_t field = 0;                          // of the row
     double word = 0;                                // kPrint
     std::size_t topic = 0;                          // of commands, by number
+    const physics::LooseBody* object = nullptr;     // kTruth of an object
     std::uint64_t heard = 0;                        // its messages so far
     double last = 0;                                // s: the last one
     RecentArrivals recent;                          // kRate

@@ -25,6 +25,9 @@ Eigen::Vector2d Level(const TruthView& t) {
   const double yaw = Angle(t, 2);
   return Eigen::Rotation2Dd(-yaw) * Eigen::Vector2d(t.base_velocity[0], t.base_velocity[1]);
 }
+Eigen::Quaterniond Attitude(const ObjectView& o) {
+  return {o.position[3], o.position[4], o.position[5], o.position[6]};
+}
 double At(std::span<const double> values, std::size_t index) {
   return index < values.size() ? values[index] : judge::kUnknown;
 }
@@ -118,6 +121,42 @@ constexpr SignalRow kRows[] = {
          "At most 10 m. Recordings have it where their scenario asks for it",
      .of = [](const TruthView& t, std::size_t) { return t.nearest_obstacle; },
      .of_obstacles = true},
+    {.word = "object.x",
+     .argument = "OBJECT",
+     .unit = "m",
+     .source = kTruth,
+     .says = "Position of the middle of an object in the world",
+     .of_object = [](const ObjectView& o) { return o.position[0]; }},
+    {.word = "object.y",
+     .argument = "OBJECT",
+     .unit = "m",
+     .source = kTruth,
+     .says = "Position of the middle of an object in the world",
+     .of_object = [](const ObjectView& o) { return o.position[1]; }},
+    {.word = "object.height",
+     .argument = "OBJECT",
+     .unit = "m",
+     .source = kTruth,
+     .says = "Height of the middle of an object over the origin of the world",
+     .of_object = [](const ObjectView& o) { return o.position[2]; }},
+    {.word = "object.tilt",
+     .argument = "OBJECT",
+     .unit = "rad",
+     .source = kTruth,
+     .says = "Angle between the z axes of an object and the world; 0 as it was put there",
+     .of_object =
+         [](const ObjectView& o) {
+           return std::acos(std::clamp((Attitude(o) * Eigen::Vector3d::UnitZ()).z(), -1., 1.));
+         }},
+    {.word = "object.speed",
+     .argument = "OBJECT",
+     .unit = "m/s",
+     .source = kTruth,
+     .says = "Speed of the middle of an object",
+     .of_object =
+         [](const ObjectView& o) {
+           return std::hypot(o.velocity[0], o.velocity[1], o.velocity[2]);
+         }},
     {.word = "q",
      .argument = "JOINT",
      .unit = "rad",

@@ -16,7 +16,7 @@ namespace understudy::signals {
 // events have fields.
 struct SignalRow {
   std::string_view word;      // "base.height"; of one with an argument what stands before it
-  std::string_view argument;  // "", JOINT, FOOT, TOPIC or EVENT
+  std::string_view argument;  // "", JOINT, FOOT, OBJECT, TOPIC or EVENT
   std::string_view unit;
   Signal::Source source;
   std::string_view says;
@@ -26,6 +26,8 @@ struct SignalRow {
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
   // Of the hg family, where that is another.
   double (*of_hg_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
+  // kTruth of an object, in place of `of`.
+  double (*of_object)(const ObjectView& object) = nullptr;
   // Of messages their topic, of events their kind, where it is not the argument.
   std::string_view topic{};
   // Its field in that; of a joint the field of its motor_state.

@@ -91,6 +91,15 @@ Result<std::size_t> FindFoot(const std::string& foot, const Names& names) {
   return static_cast<std::size_t>(found - names.feet.begin());
 }
 
+Result<std::string> FindObject(const std::string& object, const Names& names) {
+  if (names.any_robot || std::ranges::find(names.objects, object) != names.objects.end()) {
+    return object;
+  }
+  if (names.objects.empty())
+    return Error{"no object '" + object + "'; `objects` has none that moves"};
+  return Unknown("object", object, names.objects);
+}
+
 Result<Signal> EventValue(Signal signal, const std::string& kind, const std::string& field) {
   const EventRow* row = FindEvent(kind);
   if (row == nullptr) return Unknown("event", kind, EventKinds());
@@ -137,6 +146,7 @@ Result<Signal> FieldOf(Signal signal, const std::string& topic, const std::strin
 
 // Whether a signal is the same of all robots of a world.
 bool IsOfWorld(const Signal& signal) {
+  if (!signal.object.empty()) return true;
   const EventRow* row = signal.origin() == Origin::kEvents ? FindEvent(signal.topic) : nullptr;
   return row != nullptr && emulator::IsOfWorld(row->kind);
 }
@@ -169,6 +179,7 @@ Result<Signal> OfRow(const SignalRow& row, const std::string& argument, Signal s
   signal.source = row.source;
   signal.unit = row.unit;
   signal.of = row.of;
+  signal.of_object = row.of_object;
   signal.of_base = row.word.starts_with("base.");
   signal.of_obstacles = row.of_obstacles;
   signal.topic = row.topic;
@@ -181,6 +192,11 @@ Result<Signal> OfRow(const SignalRow& row, const std::string& argument, Signal s
     const auto foot = FindFoot(argument, names);
     if (!foot) return foot.error();
     signal.index = *foot;
+  }
+  if (row.argument == "OBJECT") {
+    const auto object = FindObject(argument, names);
+    if (!object) return object.error();
+    signal.object = *object;
   }
   if (row.argument == "TOPIC") {
     const auto topic = FindTopic(argument, names);

@@ -28,6 +28,12 @@ struct TruthView {
   double nearest_obstacle = judge::kUnknown;  // m
 };
 
+// Where an object of the scene is, and how it moves: x, y, z [m] of its origin and the quaternion;
+// linear velocity [m/s] in the world, angular [rad/s] in its own frame.
+struct ObjectView {
+  std::span<const double> position, velocity;
+};
+
 // What a recording must have for a signal to be known.
 enum class Origin : std::uint8_t { kTruth, kMessages, kEvents };
 
@@ -42,12 +48,13 @@ struct Names {
   std::vector<double> torque_limits{};  // N·m, of the joints
   bool hg = false;                      // of that family
   std::vector<std::string> feet{};
+  std::vector<std::string> objects{};           // of the scene, that move
   std::map<std::string, std::string> topics{};  // type on the wire by name, as far as known
   // Null: of a running robot, which knows messages as it has them itself: those that it hears by
   // their arrival, its LowState by what it samples.
   WrongField wrong_field = nullptr;
   bool program = true;     // a program runs beside it, whose lines are heard
-  bool any_robot = false;  // it is not known which: any joint, foot and hand will do
+  bool any_robot = false;  // it is not known which: any joint, foot, hand and object will do
   // Where there are several: its name and number in the world, and the others.
   std::string robot{};
   std::size_t number = 0;
@@ -88,8 +95,10 @@ struct Signal {
   Source source = Source::kTruth;
   double (*of)(const TruthView& truth, std::size_t index) = nullptr;                  // kTruth
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;  // kField
-  bool of_base = false;       // kTruth: of one that is free to move
   bool of_obstacles = false;  // kTruth: that is measured only where it is asked for
+  double (*of_object)(const ObjectView& object) = nullptr;  // kTruth of an object, in place of `of`
+  std::string object{};                                     // its name
+  bool of_base = false;                                     // kTruth: of one that is free to move
   std::size_t index = 0;
   std::string topic{}, field{};  // of messages, on the wire; of events kind and field
   std::string printed{};         // kPrint

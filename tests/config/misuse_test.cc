@@ -15,7 +15,7 @@ TEST_F(ConfigMisuseTest, OfAFileIsToldWithItsLineItsKeyAndWhatWasExpected) {
        "(valid: mode, timeout, damping_kd)"},
       {"gait: lenient\n",
        "run.yaml:1: key 'gait': unknown; did you mean 'gate'? (valid: profile, look, scene, "
-       "terrain, network, guard, control, time, recording, physics, sensors, gate, "
+       "terrain, objects, network, guard, control, time, recording, physics, sensors, gate, "
        "motion, crane, start, faults, randomization, robot)"},
       {"robot:\n  feet:\n    - {name: a, geom: [x]}\n",
        "run.yaml:3: key 'robot.feet.0.geom': unknown; did you mean 'geoms'? "

@@ -62,7 +62,7 @@ TEST_F(TerrainConfigTest, NeedsNoRobotForTheGroundAlone) {
 
 TEST_F(TerrainConfigTest, RefusesOtherKeysInTheScenesFile) {
   EXPECT_EQ(SceneError("scene: gaps\ngate: lenient\n"),
-            "course.yaml:2: key 'gate': unknown; valid: scene, terrain");
+            "course.yaml:2: key 'gate': unknown; valid: scene, terrain, objects");
 }
 
 TEST_F(TerrainConfigTest, RefusesASceneThatNamesAnotherFile) {

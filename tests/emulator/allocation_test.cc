@@ -268,6 +268,27 @@ TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   EXPECT_EQ(world_->status(0).gate, authority::GateState::kClosed);
 }
 
+// Objects lie, are put elsewhere, roll, are met by a robot and watched.
+TEST_F(AllocationTest, DoesNotHappenAmongObjects) {
+  config_ = config::LoadConfig(
+      {.robot = "go2",
+       .sets = {"start.pose=standing",
+                "objects=[{kind: table, pos: [2, 0, 0]}, {kind: cube, pos: [2, 0, 0.75]}, {kind: "
+                "ball, pos: [0.6, 0, 0]}, {kind: chair, pos: [0, 1, 0]}]"}},
+      UNDERSTUDY_SOURCE_DIR);
+  port_.TellEvery(1);
+  port_.KeepTheLastOnly();
+  world_ = MakeIn(assembly::MakePhysics(&config_).world, &port_, &inbox_);
+  script::Play(
+      script::ReadEvents(schema::ParseYaml("[{when: object.height(cube) > 9, clamp: on}]", "s"),
+                         signals::RunningNames()),
+      world_.get());
+  Ask("remote.sticks", {{"ly", 0.5}, {"for", 3}});
+  CountIn(10);
+  Ask("object", {{"object", "cube"}, {"pos", {0.4, 0, 1}}});
+  EXPECT_EQ(CountIn(2000), 0);
+}
+
 // From its stand into a trot, through a bend, and to a stand again; wheels roll and step.
 TEST_F(AllocationTest, DoesNotHappenInAQuadrupedThatWalks) {
   const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);

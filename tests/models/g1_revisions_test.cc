@@ -72,7 +72,7 @@ class G1RevisionTest : public ModelTest, public testing::WithParamInterface<std:
           .robots[0]
           .spec;
   mjcf::ModelHandle model_ =
-      physics::LoadWorldModel({{spec_, kModels + spec_.model}}, kFlat, 0.001);
+      physics::LoadWorldModel({{spec_, kModels + spec_.model}}, {kFlat}, 0.001);
 };
 
 void ExpectNumbers(const mjtNum* got, const json& figure, double scale, const std::string& what) {

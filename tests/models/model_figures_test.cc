@@ -261,7 +261,7 @@ TEST_P(ModelFiguresTest, LoadsAsTheEmulatorLoadsIt) {
       spec.feet.push_back({.name = foot["name"], .geoms = {foot["name"]}});
     }
   }
-  const mjcf::ModelHandle world = physics::LoadWorldModel({{spec, file_}}, kFlat, 0.001);
+  const mjcf::ModelHandle world = physics::LoadWorldModel({{spec, file_}}, {kFlat}, 0.001);
   EXPECT_EQ(world->nbody, model_->nbody);
   const auto colliding = [](const mjModel& model) {  // what is only drawn may have been left out
     int count = 0;

@@ -36,6 +36,33 @@ TEST(EvidenceTest, ReadsTheTruth) {
   EXPECT_EQ(ValueOf("feet.force > 0", kLean), 120);
 }
 
+TEST(EvidenceTest, ReadsWhereObjectsAre) {
+  const auto play = [](Stage* stage) { stage->Object(0, "cube", {4, 5, 6}, 0.5); };
+  EXPECT_EQ(ValueOf("object.x(cube) > 0", play), 4);
+  EXPECT_EQ(ValueOf("object.y(cube) > 0", play), 5);
+  EXPECT_EQ(ValueOf("object.height(cube) > 0", play), 6);
+  EXPECT_EQ(ValueOf("object.height(cube) > 0 cm", play), 600);
+  EXPECT_NEAR(ValueOf("object.tilt(cube) > 0", play), 0.5, 1e-12);
+  EXPECT_EQ(ValueOf("object.speed(cube) > 0", play), 7);
+}
+
+TEST(EvidenceTest, DoesNotKnowAnObjectThatARecordingHasNot) {
+  const judge::Verdict verdict = VerdictOf("{final: object.height(cup) > 0}", [](Stage* stage) {
+    stage->Object(0, "cube", {4, 5, 6});
+  });
+  EXPECT_EQ(verdict.outcome, judge::Outcome::kNotJudged);
+  const judge::Verdict old =
+      VerdictOf("{final: object.height(cube) > 0}", [](Stage* stage) { stage->Truth(0, 1); });
+  EXPECT_EQ(old.outcome, judge::Outcome::kNotJudged);
+}
+
+TEST(EvidenceTest, BelievesNoAddressBeyondTheTruth) {
+  const judge::Verdict verdict = VerdictOf("{final: object.height(cube) > 0}", [](Stage* stage) {
+    stage->Object(0, "cube", {4, 5, 6}, 0, 2);
+  });
+  EXPECT_EQ(verdict.outcome, judge::Outcome::kNotJudged);
+}
+
 TEST(EvidenceTest, KeepsWhatAnEventSaidAndTellsWhenItHappens) {
   const auto play = [](Stage* stage) {
     stage->Truth(0, 0.3);

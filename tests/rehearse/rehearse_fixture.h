@@ -1,6 +1,7 @@
 // A robot of two joints, and recordings of it that exist in memory only.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -24,6 +25,7 @@ inline Names TinyNames() {
           .slots = {0, 1},
           .torque_limits = {20, 40},
           .feet = {"left", "right"},
+          .objects = {"cube", "cup"},
           .topics = {{"rt/lowcmd", "unitree_go::msg::dds_::LowCmd_"},
                      {"rt/lowstate", "unitree_go::msg::dds_::LowState_"}},
           .wrong_field = WrongField};
@@ -47,6 +49,20 @@ class Stage {
                         .tau = {10, -20},
                         .foot_force = {50, 70}};
     Tell(truth);
+  }
+  // An object at a place [m], turned about x by `roll` [rad], beside a fixed base. The recording
+  // says that its position begins at `address`; it does at 1.
+  void Object(double at, const std::string& name, const std::array<double, 3>& p, double roll = 0,
+              std::size_t address = 1) {
+    record::BytesOut bytes;
+    record::EncodeTruth(
+        {.time = at,
+         .qpos = {9, p[0], p[1], p[2], std::cos(roll / 2), std::sin(roll / 2), 0, 0},
+         .qvel = {9, 2, 3, 6, 0, 0, 0}},
+        &bytes);
+    record::McapChannel channel = Channel(record::kTruthTopic);
+    record::AddObjects({{name, {.qpos = address, .qvel = 1}}}, &channel.metadata);
+    Tell(channel, record::kTruthType, at, bytes.span());
   }
   // Joints with these angles [rad] and torques [N·m] on a base that is fixed.
   void Joints(double at, const std::vector<double>& q, const std::vector<double>& tau) {

@@ -67,6 +67,17 @@ TEST(BoundConditionTest, TorquesCanBeMeasuredByTheirLimitsAndTemperaturesByTheFa
   EXPECT_EQ(signals[3].of_sample(sample, 0), 41);
 }
 
+TEST(BoundConditionTest, KnowsTheObjectsOfTheScene) {
+  Names names = TinyNames();
+  EXPECT_EQ(WhyNot("object.height(cube) > 1", names),
+            "no object 'cube'; `objects` has none that moves");
+  names.objects = {"cube", "cup"};
+  EXPECT_EQ(WhyNot("object.height(cube) > 80 cm and object.tilt(cup) < 5 deg", names), "");
+  EXPECT_EQ(WhyNot("object.x(cub) > 1", names),
+            "no object 'cub'; did you mean 'cube'? (valid: cube, cup)");
+  EXPECT_EQ(WhyNot("object.speed(anything) > 1", RunningNames()), "");
+}
+
 TEST(BoundConditionTest, NamesTheNearestWord) {
   EXPECT_EQ(WhyNot("base.hight > 1"), "no signal 'base.hight'; did you mean 'base.height'?");
   EXPECT_THAT(WhyNot("q(kne) > 1"), testing::HasSubstr("did you mean 'knee'?"));

@@ -20,7 +20,7 @@ from robots import eventually
 
 ROOT = pathlib.Path(__file__).parents[2]
 SCENARIOS = sorted(file.stem for file in (ROOT / "config" / "scenarios").glob("*.yaml"))
-PROGRAMMED = ("lost_lowcmd", "sdk_stand")  # need a program
+PROGRAMMED = ("lost_lowcmd", "pick_up", "sdk_stand")  # need a program
 FAILED, OPEN = 10, 11
 
 # Falls when its motors go limp, so that an expectation fails early.
@@ -211,6 +211,18 @@ def test_the_example_with_the_vendors_sdk_stands_up_and_lies_down(rehearse, tmp_
                     program=[sys.executable, ROOT / "examples" / "python" / "stand.py", "lo"])
     assert done.returncode == 0, done.stdout + done.stderr
     assert len(outcomes(tmp_path / "out")) == 6 and set(outcomes(tmp_path / "out").values()) == {"passed"}
+
+
+def test_a_g1_picks_a_cube_up_from_a_table_and_its_recording_says_so_too(rehearse, understudy, tmp_path):
+    program = [sys.executable, ROOT / "examples" / "python" / "pick_up.py", "lo"]
+    done = rehearse("pick_up", program=program)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert set(outcomes(tmp_path / "out").values()) == {"passed"}
+    judged = understudy("judge", tmp_path / "out" / "recording.mcap", "pick_up", "--out", tmp_path / "judged")
+    assert judged.returncode == 0, judged.stdout + judged.stderr
+    missed = rehearse("pick_up", "--set", "objects.1.pos=[0.34, 0, 0.75]", program=program, out="missed")
+    assert missed.returncode == FAILED, missed.stdout + missed.stderr
+    assert outcomes(tmp_path / "missed")["the cube is above the table at the end"] == "failed"
 
 
 def test_a_real_robots_recording_is_not_judged_by_a_truth_that_it_does_not_have(rehearse, understudy, tmp_path):

@@ -1,0 +1,23 @@
+// Makes MJCF bodies of objects.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "mjcf/document.h"
+#include "mjcf/mujoco_handles.h"
+#include "objects/object_kinds.h"
+
+namespace understudy::objects {
+
+// Returns a <worldbody> with a body for each object, by its name (NamesOf), in its place. Its
+// origin is half its height above the middle of its underside; what can move has a free joint.
+// Every attribute in which the defaults of a robot's file could show is given.
+mjcf::MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects);
+
+// Throws ModelError with the key of the first object that has the name of a body of `model`, which
+// was compiled from `file`.
+void RequireOwnNames(std::span<const ObjectSpec> objects, const mjModel& model,
+                     const std::filesystem::path& file);
+
+}  // namespace understudy::objects

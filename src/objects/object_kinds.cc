@@ -1,0 +1,110 @@
+#include "objects/object_kinds.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+
+namespace understudy::objects {
+namespace {
+
+using enum PartShape;
+
+// All sizes, masses and colours are assumed, such as shops sell, but for those whose row says more.
+constexpr const char* kOak = "0.62 0.45 0.29 1";
+constexpr const char* kPine = "0.8 0.66 0.46 1";
+constexpr const char* kRed = "0.78 0.2 0.16 1";
+constexpr const char* kBlue = "0.2 0.42 0.66 1";
+constexpr const char* kWhite = "0.92 0.92 0.9 1";
+constexpr const char* kGreen = "0.24 0.5 0.36 1";
+constexpr const char* kCardboard = "0.7 0.55 0.38 1";
+constexpr const char* kDark = "0.16 0.17 0.19 1";
+constexpr const char* kOrange = "0.9 0.5 0.15 1";
+constexpr bool kLies = true;
+
+constexpr ObjectPart kCube[] = {{kBox, {0, 0, 0.025}, {0.025, 0.025, 0.025}, kRed}};
+constexpr ObjectPart kBall[] = {{kSphere, {0, 0, 0.11}, {0.11}, kOrange}};
+constexpr ObjectPart kBottle[] = {{kCylinder, {0, 0, 0.07}, {0.032, 0.07}, kGreen},
+                                  {kCylinder, {0, 0, 0.17}, {0.014, 0.03}, kGreen}};
+// Solid: nothing can be put into it.
+constexpr ObjectPart kCup[] = {{kCylinder, {0, 0, 0.0475}, {0.04, 0.0475}, kBlue},
+                               {kBox, {0.06, 0, 0.0475}, {0.006, 0.007, 0.032}, kBlue},
+                               {kBox, {0.048, 0, 0.0735}, {0.012, 0.007, 0.006}, kBlue},
+                               {kBox, {0.048, 0, 0.0215}, {0.012, 0.007, 0.006}, kBlue}};
+constexpr ObjectPart kHandled[] = {{kBox, {0, 0, 0.125}, {0.15, 0.19, 0.125}, kCardboard},
+                                   {kCapsule, {0.2, 0, 0.17}, {0.012, 0.06}, kDark, kLies},
+                                   {kCapsule, {-0.2, 0, 0.17}, {0.012, 0.06}, kDark, kLies},
+                                   {kBox, {0.175, 0.06, 0.17}, {0.025, 0.008, 0.008}, kDark},
+                                   {kBox, {0.175, -0.06, 0.17}, {0.025, 0.008, 0.008}, kDark},
+                                   {kBox, {-0.175, 0.06, 0.17}, {0.025, 0.008, 0.008}, kDark},
+                                   {kBox, {-0.175, -0.06, 0.17}, {0.025, 0.008, 0.008}, kDark}};
+constexpr ObjectPart kCrate[] = {{kBox, {0, 0, 0.3}, {0.2, 0.2, 0.3}, kCardboard}};
+// Round feet: each meets the floor in one point.
+constexpr ObjectPart kChair[] = {{kBox, {0, 0, 0.445}, {0.21, 0.21, 0.015}, kPine},
+                                 {kBox, {-0.2, 0, 0.75}, {0.015, 0.2, 0.15}, kPine},
+                                 {kCapsule, {0.18, 0.18, 0.215}, {0.02, 0.195}, kPine},
+                                 {kCapsule, {0.18, -0.18, 0.215}, {0.02, 0.195}, kPine},
+                                 {kCapsule, {-0.2, 0.18, 0.45}, {0.02, 0.43}, kPine},
+                                 {kCapsule, {-0.2, -0.18, 0.45}, {0.02, 0.43}, kPine}};
+constexpr ObjectPart kTable[] = {{kBox, {0, 0, 0.73}, {0.35, 0.6, 0.02}, kOak},
+                                 {kBox, {0.31, 0.56, 0.355}, {0.025, 0.025, 0.355}, kOak},
+                                 {kBox, {0.31, -0.56, 0.355}, {0.025, 0.025, 0.355}, kOak},
+                                 {kBox, {-0.31, 0.56, 0.355}, {0.025, 0.025, 0.355}, kOak},
+                                 {kBox, {-0.31, -0.56, 0.355}, {0.025, 0.025, 0.355}, kOak}};
+constexpr ObjectPart kPedestal[] = {{kBox, {0, 0, 0.4}, {0.15, 0.15, 0.4}, kWhite}};
+
+constexpr double kFixed = 0, kStays = 0;
+constexpr ObjectKind kKinds[] = {
+    {"cube", "A cube of 5 cm", 0.05, 0.1, 0.6, kStays, "assumed", kCube},
+    {"ball", "A football of size 5, 22 cm across", 0.22, 0.43, 0.6, 0.005,
+     "size, mass: IFAB, Laws of the Game, law 2; rest assumed", kBall},
+    {"bottle", "A bottle of 20 cm, 6.4 cm across", 0.2, 0.3, 0.6, kStays, "assumed", kBottle},
+    {"cup", "A cup with a handle, 8 cm across, solid", 0.095, 0.35, 0.6, kStays, "assumed", kCup},
+    {"box", "A box of 30 × 38 × 25 cm with handles before and behind", 0.25, 2, 0.6, kStays,
+     "assumed", kHandled},
+    {"crate", "A high box of 40 × 40 × 60 cm, to be pushed over", 0.6, 3, 0.6, kStays, "assumed",
+     kCrate},
+    {"chair", "A chair with its seat 46 cm high", 0.9, 5, 0.6, kStays, "assumed", kChair},
+    {"table", "A table of 70 × 120 cm, 75 cm high", 0.75, kFixed, 0.6, kStays, "assumed", kTable},
+    {"pedestal", "A pedestal of 30 × 30 cm, 80 cm high", 0.8, kFixed, 0.6, kStays, "assumed",
+     kPedestal},
+};
+
+}  // namespace
+
+std::span<const ObjectKind> ObjectKinds() { return kKinds; }
+
+const std::vector<std::string>& ObjectKindNames() {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names;
+    for (const ObjectKind& kind : kKinds) names.emplace_back(kind.name);
+    return names;
+  }();
+  return kNames;
+}
+
+const ObjectKind& KindOf(const ObjectSpec& object) {
+  const auto* const found = std::ranges::find(kKinds, object.kind, &ObjectKind::name);
+  assert(found != std::end(kKinds));
+  return *found;
+}
+
+std::vector<std::string> NamesOf(std::span<const ObjectSpec> objects) {
+  std::vector<std::string> names;
+  std::map<std::string, int> counts;
+  for (const ObjectSpec& object : objects) {
+    const int count = ++counts[object.kind];
+    const std::string number = count == 1 ? "" : "_" + std::to_string(count);
+    names.push_back(object.name.empty() ? object.kind + number : object.name);
+  }
+  return names;
+}
+
+std::vector<std::string> MovingNamesOf(std::span<const ObjectSpec> objects) {
+  std::vector<std::string> names = NamesOf(objects), moving;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!KindOf(objects[i]).fixed()) moving.push_back(std::move(names[i]));
+  }
+  return moving;
+}
+
+}  // namespace understudy::objects

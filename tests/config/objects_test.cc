@@ -1,0 +1,77 @@
+// Tests the key objects and its errors.
+#include "config_fixture.h"
+
+namespace understudy::config {
+namespace {
+
+using testing::HasSubstr;
+
+class ObjectsConfigTest : public ConfigFixture {};
+
+TEST_F(ObjectsConfigTest, AreNoneUnlessToldOtherwise) {
+  EXPECT_TRUE(LoadText("").objects.empty());
+  const Config config = LoadText(
+      "objects:\n  - {kind: cup, name: mine, pos: [1, 2, 3], yaw: 0.5, mass: 0.2, friction: 0.9}\n"
+      "  - {kind: table}\n");
+  ASSERT_EQ(config.objects.size(), 2U);
+  const objects::ObjectSpec& cup = config.objects[0];
+  EXPECT_EQ(cup.kind, "cup");
+  EXPECT_EQ(cup.name, "mine");
+  EXPECT_EQ(cup.pos, (std::array<double, 3>{1, 2, 3}));
+  EXPECT_EQ(cup.yaw, 0.5);
+  EXPECT_EQ(cup.mass, 0.2);
+  EXPECT_EQ(cup.friction, 0.9);
+}
+
+TEST_F(ObjectsConfigTest, MayStandInTheFileOfAScene) {
+  const std::string scene = Write("room.yaml", "scene: flat\nobjects: [{kind: chair}]\n");
+  EXPECT_EQ(Load({}, {"scene=" + scene}).objects.size(), 1U);
+}
+
+TEST_F(ObjectsConfigTest, PrintWhatReadsBackTheSame) {
+  const std::string text =
+      PrintConfig(LoadText("objects: [{kind: ball, pos: [1, 0, 0], mass: 0.2}]\n"), false);
+  EXPECT_EQ(PrintConfig(LoadText(text), false), text);
+}
+
+TEST_F(ObjectsConfigTest, AreOfKindsThatThereAre) {
+  EXPECT_THAT(FileError("objects: [{kind: botle}]\n"),
+              testing::AllOf(HasSubstr("run.yaml:1: objects.0.kind: expected one of cube"),
+                             HasSubstr("did you mean 'bottle'?")));
+}
+
+TEST_F(ObjectsConfigTest, HaveBounds) {
+  EXPECT_EQ(FileError("objects:\n  - kind: cube\n    mass: -1\n"),
+            "run.yaml:3: objects.0.mass: expected a number from 0 to 1000 kg, got '-1'");
+  EXPECT_THAT(FileError("objects: [{friction: 9}]\n"),
+              HasSubstr("objects.0.friction: expected a number from 0 to 5, got '9'"));
+  EXPECT_THAT(FileError("objects: [{pos: [0, 0, 1e9]}]\n"), HasSubstr("objects.0.pos.2: expected"));
+  EXPECT_THAT(FileError("objects: [{yaw: .nan}]\n"), HasSubstr("objects.0.yaw: expected"));
+}
+
+TEST_F(ObjectsConfigTest, HaveNamesOfTheirOwn) {
+  EXPECT_EQ(FileError("objects:\n  - {kind: cube}\n  - {kind: cup,\n     name: cube}\n"),
+            "run.yaml:4: objects.1.name: 'cube' is that of objects.0 too");
+  EXPECT_THAT(FileError("objects: [{name: my cube}]\n"),
+              HasSubstr("objects.0.name: expected at most 40 letters, digits, _ and -, got 'my "
+                        "cube'"));
+  EXPECT_THAT(FileError("objects: [{name: left/cube}]\n"), HasSubstr("got 'left/cube'"));
+  EXPECT_THAT(FileError("objects: [{name: " + std::string(41, 'a') + "}]\n"),
+              HasSubstr("expected at most 40"));
+}
+
+TEST_F(ObjectsConfigTest, HaveNoMassWhereTheyAreFixed) {
+  EXPECT_EQ(FileError("objects: [{kind: table, mass: 3}]\n"),
+            "run.yaml:1: objects.0.mass: a table is fixed to the world; expected 0");
+}
+
+TEST_F(ObjectsConfigTest, AreNotTooMany) {
+  std::string list;
+  for (std::size_t i = 0; i < objects::kMostObjects; ++i) list += "{kind: cube},";
+  EXPECT_EQ(LoadText("objects: [" + list + "]\n").objects.size(), objects::kMostObjects);
+  EXPECT_EQ(FileError("objects: [" + list + "{kind: cube}]\n"),
+            "run.yaml:1: objects: expected at most 32, got 33");
+}
+
+}  // namespace
+}  // namespace understudy::config
