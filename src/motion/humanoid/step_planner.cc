@@ -15,6 +15,7 @@ constexpr double kWidthShare = 0.6;   // of its half width
 constexpr double kLongStep = 0.5;     // m ahead or back, from which a step is made sooner
 constexpr double kMostStep = 0.6;     // m, ahead and back
 constexpr double kWider = 0.2;        // m more than width, from which a step is made sooner
+constexpr double kFirstWider = 0.06;  // m more than width, of a first step
 constexpr double kWidest = 0.33;      // m more than width, of a step
 constexpr double kClearance = 0.01;   // m more than least_width
 constexpr double kLeastTime = 0.3;    // s, of a step
@@ -46,7 +47,7 @@ bool StepPlanner::FitsAside(double side, double capture) const {
   const double pressure = std::clamp(kPressureGain * capture, -edge, edge);
   const double landing =
       Landing(f.time - kSharedTime / 2, side, {0, capture}, {0, pressure / 2}, {0, 0, 0}).y();
-  return -side * landing < f.width + kWider;
+  return -side * landing < f.width + kFirstWider;
 }
 
 StepPlan StepPlanner::Step(double elapsed, double side, const Eigen::Vector2d& capture,

@@ -46,7 +46,7 @@ class StepPlanner {
   StepPlan Step(double elapsed, double side, const Eigen::Vector2d& capture,
                 const Eigen::Vector3d& velocity, double foot_yaw);
 
-  // Returns whether a step of the usual time from here lands no wider than is usual; `capture` [m]
+  // Returns whether a step of the usual time from here lands hardly wider than usual; `capture` [m]
   // the capture point left of the stance sole.
   bool FitsAside(double side, double capture) const;
 

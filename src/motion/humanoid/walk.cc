@@ -25,6 +25,7 @@ constexpr double kFaster = 0.03;           // m/s: where soles slip, more would 
 constexpr double kSteady = 0.05;           // m/s, between wanted velocities that count as one
 constexpr double kHeadingSlip = 0.3;       // rad, of the base behind the heading
 constexpr double kRiseSpeed = 0.15;        // m/s, of the body
+constexpr double kBendSpeed = 0.3;         // m/s, of the body, downwards
 constexpr double kBlind = 0.06;            // s after touchdown in which soles are trusted less
 constexpr double kLeastTrust = 0.3;
 // Standing and swaying.
@@ -37,7 +38,7 @@ constexpr double kStandFirst = 0.3;    // s, before another walk begins
 constexpr double kSwayRamp = 0.06;     // s
 constexpr double kSwayShare = 0.9;     // of the weight, on the foot that it pushes off from
 constexpr double kLongestSway = 1;     // s
-constexpr double kHurriedSway = 0.15;  // s, of one that topples: the trunk comes upright meanwhile
+constexpr double kHurriedSway = 0.2;   // s, of one that topples
 constexpr double kSettled = 1;         // s, in which a stand becomes calm
 // Where a walk may end.
 constexpr double kStill = 0.02;      // m/s, rad/s
@@ -327,18 +328,24 @@ void HumanoidWalk::ShareLoad() {
     task_.pressure = Heading() * Eigen::Vector3d(std::clamp(pressure.x(), -edge, edge), 0, 0);
     task_.other_at = task_.pressure;
   }
-  const double weight = shared_ * body_.mass() * body_.gravity();
-  const Eigen::Vector3d way = com_ - there - task_.other_at;
+  // The foot that carries more holds the trunk: the other would slip.
+  const bool other_holds = shared_ > 0.5;
+  if (other_holds) {
+    task_.stance = other();
+    std::swap(task_.pressure, task_.other_at);
+  }
+  const double weight = (other_holds ? 1 - shared_ : shared_) * body_.mass() * body_.gravity();
+  const Eigen::Vector3d way = com_ - (other_holds ? here : there) - task_.other_at;
   task_.other_force = weight / (com_.z() - here.z()) * way;
   task_.other_force.z() = weight;
 }
 
 void HumanoidWalk::MoveFoot(double dt) {
-  const WalkBody::Foot& foot = body_.feet()[other()];
+  const WalkBody::Foot& foot = body_.feet()[1 - task_.stance];
   const Eigen::Vector3d v = estimator_.velocity() + foot.v;
   const double aloft = elapsed_ - kSharedTime;
   if (phase_ != Phase::kStep || aloft <= 0) {
-    swing_.Begin(Place(other()), foot.yaw());
+    swing_.Begin(Place(other()), body_.feet()[other()].yaw());
     task_.foot_a = Clamped(-kFootDamper * v, kMostFoot);
     task_.foot_turn = Clamped(-kFootDamper * foot.w, kMostFootTurn);
     return;
@@ -360,7 +367,7 @@ void HumanoidWalk::MoveFoot(double dt) {
 void HumanoidWalk::MoveBody(double dt) {
   const bool rises = phase_ == Phase::kStand && !wanted();
   height_ +=
-      std::clamp((rises ? standing_ : walking_) - height_, -kRiseSpeed * dt, kRiseSpeed * dt);
+      std::clamp((rises ? standing_ : walking_) - height_, -kBendSpeed * dt, kRiseSpeed * dt);
   const double low = height_ - (com_.z() - Place(stance_).z());
   task_.lift = kHeightSpring * std::clamp(low, -kMostHeight, kMostHeight) -
                kHeightDamper * com_velocity_.z();

@@ -9,7 +9,7 @@ namespace understudy::motion {
 namespace {
 
 constexpr std::size_t kLeastLeg = 5, kMostLeg = 6;  // joints
-constexpr double kPitchAxis = 0.8;  // of the axis of a joint that pitches, to the left
+constexpr double kAlongAxis = 0.8;  // of the axis of a joint that pitches, to the left, or rolls
 constexpr double kSlowRate = 0.1;   // rad/s, under which dry friction is not all there: assumed
 
 Eigen::Map<Eigen::VectorXd> Rates(const mjModel& model, const mjcf::DataHandle& data) {
@@ -32,6 +32,7 @@ WalkBody::WalkBody(const mjModel& model, const robot::RobotSpec& spec, const Bod
     joints_.push_back(joint);
     dofs_.push_back(model.jnt_dofadr[joint]);
     q_addresses_.push_back(model.jnt_qposadr[joint]);
+    limits_.push_back(motor.torque_limit);
   }
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const BodyModel::Foot& foot = soles.feet()[i];
@@ -68,10 +69,14 @@ void WalkBody::FindLegs(const robot::RobotSpec& spec) {
       const auto place = static_cast<int>(motor - joints_.begin());
       foot.motors.insert(foot.motors.begin(), place);
       const Eigen::Vector3d axis = R_WB.transpose() * mjcf::Vector(data_->xaxis + 3 * *motor);
-      if (std::abs(axis.y()) > kPitchAxis) pitching.insert(pitching.begin(), place);
+      if (std::abs(axis.x()) > kAlongAxis) foot.hip_roll = place;
+      if (std::abs(axis.y()) > kAlongAxis) pitching.insert(pitching.begin(), place);
     }
     // Hip, knee, ankle.
-    if (pitching.size() == 3) foot.knee = pitching[1];
+    if (pitching.size() == 3) {
+      foot.hip_pitch = pitching[0];
+      foot.knee = pitching[1];
+    }
     if (foot.knee >= 0) {
       foot.bend = spec.standing.q[static_cast<std::size_t>(foot.knee)] < 0 ? -1 : 1;
     }

@@ -29,6 +29,8 @@ class WalkBody {
     double side = 1;               // 1 left, -1 right
     std::vector<int> motors;       // of the leg, from the base to the foot
     int knee = -1;                 // the motor of the knee
+    int hip_pitch = -1;            // the motor of the hip that pitches
+    int hip_roll = -1;             // the motor of the hip that rolls
     double bend = 1;               // sign of a bent knee's angle
     Eigen::Vector3d p{0, 0, 0};    // m, the sole's centre
     Eigen::Matrix3d R;             // of the sole's axes toes, left, up
@@ -57,6 +59,7 @@ class WalkBody {
   int base_dof() const { return base_dof_; }   // the first of six
   std::size_t motors() const { return dofs_.size(); }
   int dof(std::size_t motor) const { return dofs_[motor]; }
+  double limit(std::size_t motor) const { return limits_[motor]; }       // N·m
   const std::array<Foot, 2>& feet() const { return feet_; }              // RobotSpec::feet order
   const Matrix& M() const { return M_; }                                 // inertia
   const Eigen::VectorXd& bias() const { return bias_; }                  // gravity, Coriolis
@@ -93,6 +96,7 @@ class WalkBody {
   int base_body_ = 0, base_dof_ = 0, base_q_ = 0, imu_site_ = 0;
   bool can_walk_ = false;
   std::vector<int> joints_, dofs_, q_addresses_;  // motor order
+  std::vector<double> limits_;                    // N·m, motor order
   std::vector<Link> chain_;
   Eigen::Quaterniond R_LI_{1, 0, 0, 0};  // of the IMU in the last link
   std::array<SoleFrame, 2> soles_;

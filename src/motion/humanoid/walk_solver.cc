@@ -9,6 +9,7 @@ namespace {
 // All assumed, tried on every robot here.
 constexpr double kRestDamping = 20;   // 1/s, of the stance sole
 constexpr double kMostTwist = 0.035;  // m: the sole's moment about the vertical, over its load
+constexpr double kHipShare = 0.95;    // of a hip's torque limit: the rest is for its friction
 constexpr double kLeastBend = 0.2;    // rad, of a knee
 constexpr double kBendStiffness = 600, kBendDamping = 40;  // 1/s², 1/s, of a knee at that
 constexpr double kMostBend = 400;                          // rad/s², of a knee
@@ -42,8 +43,7 @@ int WalkSolver::ColumnOf(int motor) const {
 bool WalkSolver::Solve(const WalkTask& task, std::span<const double> q, std::span<const double> dq,
                        std::span<double> tau) {
   Build(task);
-  lu_.compute(A_);
-  x_ = lu_.solve(b_);
+  SolveAgain();
   KeepWithinLimits(task, q, dq);
   if (!x_.allFinite()) return false;
   WriteTorques(task, tau);
@@ -54,7 +54,7 @@ void WalkSolver::Build(const WalkTask& task) {
   const WalkBody::Foot& stance = body_.feet()[task.stance];
   A_.setZero();
   row_ = 0;
-  AddDynamics(task);
+  for (; row_ < 6; ++row_) SetTorque(row_, body_.base_dof() + row_, 0, task);
   for (int i = 0; i < 3; ++i) {
     Add(stance.J.row(i), -stance.a0[i] - kRestDamping * (task.velocity + stance.v)[i]);
   }
@@ -65,33 +65,29 @@ void WalkSolver::Build(const WalkTask& task) {
   height_ = body_.M().row(up) / body_.mass();
   Add(height_, task.lift - body_.bias()[up] / body_.mass() + body_.gravity());
 
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) A_(row_, 3 + k) = body_.R_WB()(i, k);
-    b_[row_] = task.turn[i];
-    turn_row_ = row_++;
-  }
+  turn_row_ = row_;
+  const Eigen::Vector3d turn = body_.R_WB().transpose() * task.turn;
+  for (int i = 0; i < 3; ++i) Replace(row_++, 3 + i, turn[i]);
   AddOtherFoot(task);
 }
 
-void WalkSolver::AddDynamics(const WalkTask& task) {
+// The row says that a joint gives that torque [N·m]; the base's give none.
+void WalkSolver::SetTorque(int row, int dof, double torque, const WalkTask& task) {
   const WalkBody::Foot& stance = body_.feet()[task.stance];
   const WalkBody::Foot& other = body_.feet()[1 - task.stance];
-  for (; row_ < 6; ++row_) {
-    const int dof = body_.base_dof() + row_;
-    double known = body_.bias()[dof];
-    for (std::size_t i = 0; i < known_.size(); ++i) {
-      known += body_.M()(dof, body_.dof(i)) * known_[i];
-    }
-    for (int k = 0; k < forces(); ++k)
-      A_(row_, k) = body_.M()(dof, columns_[static_cast<std::size_t>(k)]);
-    const Eigen::Vector3d way = stance.J.block<3, 1>(0, dof), turn = stance.J.block<3, 1>(3, dof);
-    A_.block<1, 3>(row_, forces()) = -(way + turn.cross(task.pressure)).transpose();
-    A_(row_, forces() + 3) = -turn.z();
-    if (body_.rolls()) A_(row_, forces() + 4) = -turn.dot(stance.R.col(0));
-    const Eigen::Vector3d other_way =
-        other.J.block<3, 1>(0, dof) + other.J.block<3, 1>(3, dof).cross(task.other_at);
-    b_[row_] = other_way.dot(task.other_force) - known;
+  double known = body_.bias()[dof] - torque;
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    known += body_.M()(dof, body_.dof(i)) * known_[i];
   }
+  for (int k = 0; k < forces(); ++k)
+    A_(row, k) = body_.M()(dof, columns_[static_cast<std::size_t>(k)]);
+  const Eigen::Vector3d way = stance.J.block<3, 1>(0, dof), turn = stance.J.block<3, 1>(3, dof);
+  A_.block<1, 3>(row, forces()) = -(way + turn.cross(task.pressure)).transpose();
+  A_(row, forces() + 3) = -turn.z();
+  if (body_.rolls()) A_(row, forces() + 4) = -turn.dot(stance.R.col(0));
+  const Eigen::Vector3d other_way =
+      other.J.block<3, 1>(0, dof) + other.J.block<3, 1>(3, dof).cross(task.other_at);
+  b_[row] = other_way.dot(task.other_force) - known;
 }
 
 void WalkSolver::Add(const Row& of, double wanted) {
@@ -132,15 +128,37 @@ void WalkSolver::KeepWithinLimits(const WalkTask& task, std::span<const double> 
             foot.bend * std::clamp(least, -kMostBend, kMostBend));
     again = true;
   }
-  if (again) {
-    lu_.compute(A_);
-    x_ = lu_.solve(b_);
-  }
+  if (again) SolveAgain();
   const double weight = body_.mass() * body_.gravity();
   const double most = kMostTwist * std::max(0.0, weight - task.other_force.z());
   const int twist = forces() + 3;
-  if (std::abs(x_[twist]) <= most) return;
-  Replace(turn_row_, twist, std::copysign(most, x_[twist]));
+  if (std::abs(x_[twist]) > most) {
+    Replace(turn_row_ + 2, twist, std::copysign(most, x_[twist]));
+    SolveAgain();
+  }
+  const WalkBody::Foot& stance = body_.feet()[task.stance];
+  LimitHip(stance.hip_pitch, turn_row_ + 1, task);
+  LimitHip(stance.hip_roll, turn_row_, task);
+}
+
+// A hip that gives less than the solution needs would tip the sole: the base turns in its place.
+void WalkSolver::LimitHip(int motor, int row, const WalkTask& task) {
+  if (motor < 0) return;
+  const auto hip = static_cast<std::size_t>(motor);
+  const Line of = A_.row(row);
+  const double wanted = b_[row], most = kHipShare * body_.limit(hip);
+  SetTorque(row, body_.dof(hip), 0, task);
+  const double torque = A_.row(row).dot(x_) - b_[row];
+  if (std::abs(torque) > most) {
+    b_[row] += std::copysign(most, torque);
+    SolveAgain();
+  } else {
+    A_.row(row) = of;
+    b_[row] = wanted;
+  }
+}
+
+void WalkSolver::SolveAgain() {
   lu_.compute(A_);
   x_ = lu_.solve(b_);
 }

@@ -25,10 +25,10 @@ struct WalkTask {
 };
 
 // Solves one square system for the accelerations of base and legs and the force under the stance
-// sole; the centre of mass moves ahead and aside as the pressure has it. Three limits each replace
-// a wish: what the sole can twist the ground with takes the base's turn, a knee that gets straight
-// takes the height of the centre of mass or of the other foot. Legs of five joints let their soles
-// roll. Allocates only in the constructor.
+// sole; the centre of mass moves ahead and aside as the pressure has it. Limits each replace a
+// wish: what the sole can twist the ground with takes the base's yaw, what the stance hip can give
+// its pitch and roll, a knee that gets straight the height of the centre of mass or of the other
+// foot. Legs of five joints let their soles roll. Allocates only in the constructor.
 class WalkSolver {
  public:
   explicit WalkSolver(const WalkBody& body);
@@ -48,17 +48,20 @@ class WalkSolver {
   using Square =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMost, kMost>;
   using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
+  using Line = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMost>;
   using Row = Eigen::Ref<const Eigen::RowVectorXd>;
 
   int forces() const { return static_cast<int>(columns_.size()); }  // the first unknown force
   int ColumnOf(int motor) const;
   void Build(const WalkTask& task);
-  void AddDynamics(const WalkTask& task);
+  void SetTorque(int row, int dof, double torque, const WalkTask& task);
   void Add(const Row& of, double wanted);
   void AddOtherFoot(const WalkTask& task);
   void KeepWithinLimits(const WalkTask& task, std::span<const double> q,
                         std::span<const double> dq);
+  void LimitHip(int motor, int row, const WalkTask& task);
   void Replace(int row, int column, double value);
+  void SolveAgain();
   void WriteTorques(const WalkTask& task, std::span<double> tau);
 
   const WalkBody& body_;

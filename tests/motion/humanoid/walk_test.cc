@@ -135,6 +135,28 @@ TEST_F(HumanoidWalkTest, AStandingRobotStepsWhenItIsPushed) {
   EXPECT_EQ(g1.state().id, 501);
 }
 
+TEST_F(HumanoidWalkTest, ShiftsItsWeightBeforeItStepsAhead) {
+  Walker g1("g1");
+  const auto apart = [&] {  // m, aside
+    std::array<Vector3d, 2> feet;
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      const physics::World& world = g1.world();
+      const int geom =
+          mj_name2id(&world.model(), mjOBJ_GEOM, g1.spec().feet[i].geoms.front().c_str());
+      feet[i] = Vector3d(world.data().geom_xpos + 3 * geom);
+    }
+    const Vector3d way = feet[0] - feet[1];
+    return std::abs((Eigen::AngleAxisd(-g1.rpy().z(), Vector3d::UnitZ()) * way).y());
+  };
+  const double standing = apart(), impulse = 0.3 * g1.world().robot().weight() / 9.81;  // N·s
+  double widest = 0;
+  g1.watch = [&] { widest = std::max(widest, apart()); };
+  g1.Push({impulse / 0.1, 0, 0}, 0.1);
+  g1.Run(3);
+  EXPECT_TRUE(g1.standing());
+  EXPECT_LT(widest, standing + 0.2) << "standing: " << standing;
+}
+
 // N·s per kg, ahead and left: what it is wanted to take.
 const std::array kPushes = {Vector3d{0.3, 0, 0}, Vector3d{-0.3, 0, 0}, Vector3d{0, 0.2, 0},
                             Vector3d{0, -0.2, 0}};
