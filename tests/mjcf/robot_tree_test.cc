@@ -75,7 +75,7 @@ TEST_P(RobotTreeOfRobotTest, PutsEveryLinkWhereMujocoHasItsBody) {
       {{config.robots[0].spec,
         UNDERSTUDY_SOURCE_DIR + std::string("/models/") + config.robots[0].spec.model,
         config::HandModelFiles(config.robots[0].spec)}},
-      UNDERSTUDY_SOURCE_DIR "/models/scene/flat.xml", 0.001);
+      std::filesystem::path(UNDERSTUDY_SOURCE_DIR "/models/scene/flat.xml"), 0.001);
   ExpectPlacesOfMujoco(*model, config.robots[0].spec.base_body);
   EXPECT_GE(TreeOf(*model, config.robots[0].spec.base_body).base_qpos, 0);
 }

@@ -111,7 +111,7 @@ TEST_P(UrdfOfRobotTest, MovesAndWeighsAsTheModelDoes) {
       {{config.robots[0].spec,
         UNDERSTUDY_SOURCE_DIR + std::string("/models/") + config.robots[0].spec.model,
         config::HandModelFiles(config.robots[0].spec)}},
-      UNDERSTUDY_SOURCE_DIR "/models/scene/flat.xml", 0.001);
+      std::filesystem::path(UNDERSTUDY_SOURCE_DIR "/models/scene/flat.xml"), 0.001);
   const Urdf urdf =
       UrdfOf(*model, config.robots[0].spec.name, TreeOf(*model, config.robots[0].spec.base_body));
   ExpectMovesAlike(*model, config.robots[0].spec.base_body, *Read(urdf));

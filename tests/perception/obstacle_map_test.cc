@@ -13,12 +13,12 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kHeight = 0.32;
+constexpr double kBaseHeight = 0.32;
 
 class ObstacleMapTest : public testing::Test {
  protected:
   void Begin(double x = 0, double y = 0, double yaw = 0, double altitude = 0) {
-    base_.p_OB = {x, y, kHeight};
+    base_.p_OB = {x, y, kBaseHeight};
     base_.R_OB = Eigen::AngleAxisd(yaw, Vector3d::UnitZ());
     map_.Begin(base_, altitude);
   }

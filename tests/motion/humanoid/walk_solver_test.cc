@@ -53,7 +53,7 @@ TEST_P(WalkSolverTest, AStanceHipIsAskedForNoMoreThanItGives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, WalkSolverTest, testing::ValuesIn(test::Humanoids()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& robot) { return robot.param; });
 
 }  // namespace
 }  // namespace understudy::motion
