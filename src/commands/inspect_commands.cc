@@ -93,9 +93,13 @@ std::string CheckLayer(const std::filesystem::path& file, const schema::YamlValu
   RequireRobot(robot, file.string() +
                           ": is a layer (neither robot.name nor extends); check it with a robot");
   constexpr std::array kOfScenes = {"scene", "terrain", "objects"};
-  const bool is_scene = std::ranges::all_of(document.keys, [&](const auto& key) {
+  const auto is_of_scenes = [&](const auto& key) {
     return std::ranges::find(kOfScenes, key.text) != kOfScenes.end();
-  });
+  };
+  // Objects alone are no scene: they lie in that of the robot.
+  const bool is_scene =
+      std::ranges::all_of(document.keys, is_of_scenes) &&
+      std::ranges::any_of(document.keys, [](const auto& key) { return key.text != "objects"; });
   config::Layers layers{.robot = robot};
   if (is_scene) {
     layers.sets.push_back("scene=" + std::filesystem::absolute(file).string());

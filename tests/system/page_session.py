@@ -18,7 +18,7 @@ from desk import ENDLESS, drawn_quickly, go_on, prepare, verdict_of, works
 from robots import eventually, understudy
 
 STARTS = re.compile(r"((\./)?tools/up|understudy run) (?!.*(--detach|--duration))")
-BESIDE_A_ROBOT = re.compile(r"^understudy (ctl|view|remote|excite|picture|film|play .*--commands)\b|^python3 .* lo$|^curl ")
+BESIDE_A_ROBOT = re.compile(r"^understudy (ctl|view|remote|excite|picture|film|camera|play .*--commands)\b|^python3 .* lo$|^curl ")
 BY_ITSELF = re.compile(r"--recording|--list-gamepads|^understudy play (?!.*--commands)")
 PATIENCE = 300.0  # s, for a command
 # What a fragment of a scenario leaves out.

@@ -69,7 +69,8 @@ def ctl_examples():
 @pytest.fixture(name="left")
 def left_fixture(desk):
     """A robot in the background, which the last example of all stops."""
-    started = understudy("run", "go2", "--start", "hanging", "--name", "left", "--detach")
+    started = understudy("run", "go2", "--start", "hanging", "--set", "objects=[{kind: cube, pos: [2, 0, 0]}]",
+                         "--name", "left", "--detach")
     assert started.returncode == 0, started.stderr
     yield
     stop, = examples_of("ctl", "stop")
