@@ -61,6 +61,7 @@ constexpr LiveSetting kLive[] = {
 constexpr FixedSetting kFixed[] = {
     {"profile", "it stands for the keys of sensors, which can"},
     {"scene", "it is part of the compiled model"},
+    {"objects", "they are part of the compiled model; the request `object` moves one"},
     {"look", "the robot is drawn by it from the start"},
     {"terrain.", "it is part of the compiled model"},
     {"network.", "its sockets are open"},
