@@ -19,7 +19,7 @@ namespace understudy::viewer {
 namespace {
 
 constexpr int kMostHz = 240;                         // that a robot sends snapshots at
-constexpr std::chrono::milliseconds kPatience{200};  // between looks at the stop flag
+constexpr std::chrono::milliseconds kStopLook{200};  // between looks at the stop flag
 constexpr std::chrono::seconds kStandstill{2};       // until it is said that time stands still
 
 // The output. It creates the file with the first picture, so that no empty file appears.
@@ -84,7 +84,7 @@ void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& shou
     auto moved = std::chrono::steady_clock::now();
     double newest = -1;
     for (bool more = true; more && !should_stop();) {
-      const std::deque<SceneState> states = robot.Take(kPatience);
+      const std::deque<SceneState> states = robot.Take(kStopLook);
       if (!arguments.plain) {
         for (FilmEvent& event : events.News()) maker.Tell(std::move(event));
       }
