@@ -40,7 +40,7 @@ void AskedWay::End() {
 }
 
 Vector3d AskedWay::Step(double dt, const Vector3d& here, const robot::SeenObstacles* obstacles) {
-  const Vector3d asked = Asked(dt, here);
+  Vector3d asked = Asked(dt, here);
   avoided_ = avoids_ && !asked.isZero(0) ? 0 : avoided_ + dt;
   if (!avoids()) avoidance_.Rest();
   if (avoided_ > 0 || obstacles == nullptr) return asked;
