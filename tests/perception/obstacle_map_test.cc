@@ -43,7 +43,8 @@ class ObstacleMapTest : public testing::Test {
   // The nearest one straight ahead; 9 if there is none.
   double Ahead() {
     double nearest = 9;
-    for (const Vector2d& at : Read().all()) {
+    const robot::SeenObstacles seen = Read();
+    for (const Vector2d& at : seen.all()) {
       if (std::abs(at.y()) < 0.1 && at.x() > 0) nearest = std::min(nearest, at.x());
     }
     return nearest;
@@ -95,7 +96,8 @@ TEST_F(ObstacleMapTest, HasTheNearestOfTwoWallsOnEachSide) {
   for (const double x : {-2.0, -1.2, 1.2, 2.0}) AddFace(x, 0, 0.5);
   EXPECT_NEAR(Ahead(), 1.2, 0.06);
   double behind = -9;
-  for (const Vector2d& at : Read().all()) {
+  const robot::SeenObstacles seen = Read();
+  for (const Vector2d& at : seen.all()) {
     if (std::abs(at.y()) < 0.1 && at.x() < 0) behind = std::max(behind, at.x());
     EXPECT_LT(at.norm(), 1.4);
   }
@@ -148,7 +150,8 @@ TEST_F(ObstacleMapTest, TellsPlacesFromWhereTheBaseIsNow) {
   AddFace(2, 0, 0.5, 0.1);
   Begin(1.5, -0.5, M_PI / 2);
   ASSERT_GT(Read().count, 0U);
-  for (const Vector2d& at : Read().all()) {
+  const robot::SeenObstacles seen = Read();
+  for (const Vector2d& at : seen.all()) {
     EXPECT_NEAR(at.y(), -0.5, 0.06) << "to the right of one that has turned left";
     EXPECT_NEAR(at.x(), 0.5, 0.2);
   }
