@@ -31,6 +31,28 @@ void WriteFile(const std::filesystem::path& file, const std::string& text) {
   }
 }
 
+void CheckWritable(const std::filesystem::path& file, bool overwrite) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw SetupError(file.string() + " is a folder; name a file in it");
+  }
+  // A finished file takes the place of what is there, which a device must not lose.
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
+    throw SetupError(file.string() + " is not a file");
+  }
+  if (!overwrite && std::filesystem::exists(file, ignored)) {
+    throw RecordError(file.string() +
+                      ": exists already; name another file, or replace it with --overwrite");
+  }
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    throw SetupError("cannot write " + file.string() + ": no folder " + folder.string());
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    throw SetupError("cannot write " + file.string() + ": no right to write in " + folder.string());
+  }
+}
+
 std::filesystem::path MakeFolder(std::filesystem::path folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

@@ -3,7 +3,6 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -12,8 +11,11 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "base/errors.h"
+#include "base/files.h"
+#include "base/nearest_word.h"
 #include "base/signals.h"
 #include "client/client.h"
 #include "client/robot_choice.h"
@@ -53,10 +55,22 @@ std::string BodyOf(client::ControlReply reply) {
   throw ControlError(why.is_object() ? why.value("error", reply.body) : reply.body);
 }
 
+nlohmann::json CamerasOf(const fs::path& socket) {
+  return nlohmann::json::parse(BodyOf(Ask(socket, "/cameras"))).at("cameras");
+}
+
+// Returns the path of its pictures. Throws ControlError with the nearest name if there is none.
+std::string PathOf(const fs::path& socket, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& camera : CamerasOf(socket)) names.push_back(camera.at("name"));
+  if (std::ranges::find(names, name) != names.end()) return "/cameras/" + name;
+  throw ControlError(names.empty() ? "this robot has no camera"
+                                   : "no camera '" + name + "'" + DidYouMean(name, names));
+}
+
 int List(const fs::path& socket) {
-  const auto told = nlohmann::json::parse(BodyOf(Ask(socket, "/cameras")));
   std::vector<ctl::Cells> rows = {{"CAMERA", "PIXELS", "SERVICE"}};
-  for (const auto& camera : told.at("cameras")) {
+  for (const auto& camera : CamerasOf(socket)) {
     const std::string service = camera.at("service");
     rows.push_back({camera.at("name"),
                     std::to_string(camera.at("width").get<int>()) + "x" +
@@ -67,15 +81,11 @@ int List(const fs::path& socket) {
   return 0;
 }
 
-int Write(const CameraArguments& arguments, const std::string& jpeg) {
-  std::ofstream file(arguments.out, std::ios::binary);
-  file << jpeg << std::flush;
-  if (!file) throw SetupError("cannot write " + arguments.out);
-  return 0;
-}
-
 // Pictures one behind the other, until the reader has gone.
 int Stream(const CameraArguments& arguments, const fs::path& socket, const std::string& path) {
+  if (::isatty(STDOUT_FILENO) == 1) {
+    throw SetupError("--out -: standard output is a terminal; lead it into a file or a program");
+  }
   CatchStopSignals();
   std::signal(SIGPIPE, SIG_DFL);  // a reader that goes ends it, as it ends others
   const auto period =
@@ -90,6 +100,7 @@ int Stream(const CameraArguments& arguments, const fs::path& socket, const std::
     while (Clock::now() < next && !over()) {
       std::this_thread::sleep_until(std::min(next, Clock::now() + kStopLook));
     }
+    if (over()) break;
     client::ControlReply reply = Ask(socket, path);
     if (reply.status == kNoneThisTime) continue;
     const std::string jpeg = BodyOf(std::move(reply));
@@ -102,13 +113,11 @@ int Stream(const CameraArguments& arguments, const fs::path& socket, const std::
 int Run(const CameraArguments& arguments) {
   const fs::path socket = client::ChosenSocket(arguments.robot);
   if (arguments.name.empty()) return List(socket);
-  const std::string path = "/cameras/" + arguments.name;
+  if (arguments.out != "-") CheckWritable(arguments.out, arguments.overwrite);
+  const std::string path = PathOf(socket, arguments.name);
   if (arguments.out == "-") return Stream(arguments, socket, path);
-  if (!arguments.overwrite && fs::exists(arguments.out)) {
-    throw RecordError(arguments.out +
-                      ": exists already; name another file, or replace it with --overwrite");
-  }
-  return Write(arguments, BodyOf(Ask(socket, path)));
+  WriteFile(arguments.out, BodyOf(Ask(socket, path)));
+  return 0;
 }
 
 }  // namespace

@@ -42,10 +42,6 @@ std::string TakeText(BytesIn* in) {
   return {reinterpret_cast<const char*>(raw.data()), raw.size() - 1};
 }
 
-}  // namespace
-
-namespace {
-
 std::size_t NumberOf(const std::string& key, const StringMap& metadata) {
   std::size_t value = 0;
   if (const auto found = metadata.find(key); found != metadata.end()) {

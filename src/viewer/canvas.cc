@@ -129,22 +129,4 @@ void WritePng(const Image& image, const std::filesystem::path& file) {
   throw SetupError("cannot write " + file.string() + ": " + error.message());
 }
 
-void CheckWritable(const std::filesystem::path& file, bool overwrite) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw SetupError(file.string() + " is a folder; name a file in it");
-  }
-  if (!overwrite && std::filesystem::exists(file, ignored)) {
-    throw RecordError(file.string() +
-                      ": exists already; name another file, or replace it with --overwrite");
-  }
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  if (!std::filesystem::is_directory(folder, ignored)) {
-    throw SetupError("cannot write " + file.string() + ": no folder " + folder.string());
-  }
-  if (::access(folder.c_str(), W_OK) != 0) {
-    throw SetupError("cannot write " + file.string() + ": no right to write in " + folder.string());
-  }
-}
-
 }  // namespace understudy::viewer

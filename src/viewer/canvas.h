@@ -23,9 +23,6 @@ Image Halve(const Image& big);
 // Writes a PNG file, replacing an existing one atomically. Throws SetupError with the reason.
 void WritePng(const Image& image, const std::filesystem::path& file);
 
-// Throws SetupError if the file exists and `overwrite` is false, or if its folder does not exist.
-void CheckWritable(const std::filesystem::path& file, bool overwrite);
-
 class Canvas {
  public:
   // Hard edges have one sample a pixel, smooth ones four. For fine ones it renders at twice the

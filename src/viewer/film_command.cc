@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "base/progress_bar.h"
 #include "viewer/film_maker.h"
 #include "viewer/headless_gl.h"

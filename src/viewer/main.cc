@@ -5,6 +5,7 @@
 
 #include "base/catch_errors.h"
 #include "base/exit_code.h"
+#include "base/files.h"
 #include "base/signals.h"
 #include "viewer/arguments.h"
 #include "viewer/camera_operator.h"

@@ -39,6 +39,10 @@ def test_a_camera_is_listed_and_its_picture_saved_once(robot, understudy, tmp_pa
     assert understudy("camera", "head", "--out", file, "--overwrite").returncode == 0
     assert file.read_bytes().startswith(BEGIN)
 
+    nowhere = understudy("camera", "head", "--out", tmp_path / "none" / "x.jpg")
+    assert nowhere.returncode == 1 and "no folder" in nowhere.stderr
+    no_name = understudy("camera", "a b", "--out", tmp_path / "x.jpg")
+    assert no_name.returncode == 1 and "no camera 'a b'" in no_name.stderr
     unknown = understudy("camera", "haed", "--out", tmp_path / "x.jpg")
     assert unknown.returncode == 1 and "did you mean 'head'?" in unknown.stderr
     assert not (tmp_path / "x.jpg").exists()

@@ -52,18 +52,5 @@ TEST(ImageTest, LeavesNothingWhereItsNameIsAFolders) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
-TEST(ImageTest, ChecksBeforehandWhereAFileGoes) {
-  const test::TemporaryFolder folder;
-  const std::filesystem::path there = folder.Write("a.png", "x");
-  EXPECT_NO_THROW(CheckWritable(folder.path() / "b.png", false));
-  EXPECT_NO_THROW(CheckWritable(there, true));
-  EXPECT_THAT([&] { CheckWritable(there, false); },
-              ThrowsMessage<SetupError>(HasSubstr("--overwrite")));
-  EXPECT_THAT([&] { CheckWritable(folder.path(), true); },
-              ThrowsMessage<SetupError>(HasSubstr("is a folder")));
-  EXPECT_THAT([&] { CheckWritable(folder.path() / "no" / "b.png", false); },
-              ThrowsMessage<SetupError>(HasSubstr("no folder")));
-}
-
 }  // namespace
 }  // namespace understudy::viewer
