@@ -11,22 +11,13 @@
 #include "config/config.h"
 #include "config/load.h"
 #include "rehearse/expectations.h"
+#include "rehearse/program.h"
 #include "rehearse/stages.h"
 #include "rehearse/vary.h"
 #include "schema/yaml_document.h"
 #include "script/script.h"
 
 namespace understudy::rehearse {
-
-// The program under test.
-struct Program {
-  std::vector<std::string> command{};  // empty: that of the command line
-  double at = 0;                       // simulated s of its start
-  std::optional<double> until{};       // simulated s at which it is ended
-  bool kill = false;                   // by SIGKILL; else by SIGTERM, and SIGKILL 0.5 s after that
-  std::optional<double> limit{};  // simulated s from its start in which it has to end by itself
-  double think = 0;               // s from the end of a sleep to its next message, on its own clock
-};
 
 struct Scenario {
   std::filesystem::path file;
