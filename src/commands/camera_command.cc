@@ -20,8 +20,10 @@
 #include "client/client.h"
 #include "client/robot_choice.h"
 #include "commands/commands.h"
+#include "ctl/ask.h"
 #include "ctl/check.h"
 #include "ctl/text.h"
+#include "simclock/standing_time.h"
 
 namespace understudy::commands {
 namespace {
@@ -44,19 +46,18 @@ struct CameraArguments {
   bool overwrite = false;
 };
 
-client::ControlReply Ask(const fs::path& socket, const std::string& path) {
+// The picture comes in real time, also to a program on a simulated clock.
+client::ControlReply Look(const fs::path& socket, const std::string& path) {
+  const simclock::StandingTime stands;
   return client::Call(socket, "GET", path, "", kPictureWait);
 }
 
-// Throws ControlError with the robot's reason for any status but 200.
-std::string BodyOf(client::ControlReply reply) {
-  if (reply.status == 200) return std::move(reply.body);
-  const auto why = nlohmann::json::parse(reply.body, nullptr, false);
-  throw ControlError(why.is_object() ? why.value("error", reply.body) : reply.body);
-}
-
 nlohmann::json CamerasOf(const fs::path& socket) {
-  return nlohmann::json::parse(BodyOf(Ask(socket, "/cameras"))).at("cameras");
+  try {
+    return nlohmann::json::parse(ctl::Ask(socket, "GET", "/cameras", "")).at("cameras");
+  } catch (const nlohmann::json::exception& error) {
+    throw ctl::NotOurVersion(error);
+  }
 }
 
 // Returns the path of its pictures. Throws ControlError with the nearest name if there is none.
@@ -101,9 +102,9 @@ int Stream(const CameraArguments& arguments, const fs::path& socket, const std::
       std::this_thread::sleep_until(std::min(next, Clock::now() + kStopLook));
     }
     if (over()) break;
-    client::ControlReply reply = Ask(socket, path);
+    client::ControlReply reply = Look(socket, path);
     if (reply.status == kNoneThisTime) continue;
-    const std::string jpeg = BodyOf(std::move(reply));
+    const std::string jpeg = ctl::BodyOf(std::move(reply));
     if (std::fwrite(jpeg.data(), 1, jpeg.size(), stdout) != jpeg.size()) break;
     if (std::fflush(stdout) != 0) break;
   }
@@ -116,7 +117,7 @@ int Run(const CameraArguments& arguments) {
   if (arguments.out != "-") CheckWritable(arguments.out, arguments.overwrite);
   const std::string path = PathOf(socket, arguments.name);
   if (arguments.out == "-") return Stream(arguments, socket, path);
-  WriteFile(arguments.out, BodyOf(Ask(socket, path)));
+  WriteFile(arguments.out, ctl::BodyOf(Look(socket, path)));
   return 0;
 }
 

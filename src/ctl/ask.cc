@@ -3,7 +3,6 @@
 #include <optional>
 #include <utility>
 
-#include "client/client.h"
 #include "simclock/standing_time.h"
 
 namespace understudy::ctl {
@@ -27,7 +26,10 @@ std::string Ask(const std::filesystem::path& socket, const std::string& method,
                 std::chrono::milliseconds timeout) {
   std::optional<simclock::StandingTime> stands;
   if (timeout <= kCallTimeout) stands.emplace();
-  client::ControlReply reply = client::Call(socket, method, path, body, timeout);
+  return BodyOf(client::Call(socket, method, path, body, timeout));
+}
+
+std::string BodyOf(client::ControlReply reply) {
   if (reply.status != 200) throw ControlError(ReasonOf(reply));
   return std::move(reply.body);
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "client/client.h"
 
 namespace understudy::ctl {
 
@@ -20,6 +21,10 @@ inline constexpr std::chrono::milliseconds kCallTimeout{5'000};
 std::string Ask(const std::filesystem::path& socket, const std::string& method,
                 const std::string& path, const std::string& body,
                 std::chrono::milliseconds timeout = kCallTimeout);
+
+// Returns the body of a reply. Throws ControlError with the robot's reason if its status is not
+// 200.
+std::string BodyOf(client::ControlReply reply);
 
 // Returns the error for a reply whose JSON is not as expected.
 ControlError NotOurVersion(const nlohmann::json::exception& error);

@@ -170,6 +170,17 @@ now; ctl status && ctl damage && ctl push base_link 0 20 0; now; ctl pause && ct
     assert stepped - paused == pytest.approx(0.25, abs=0.002)  # of 1 ms
 
 
+@pytest.mark.parametrize("options", [(), LOOKING])
+def test_a_picture_that_a_program_asks_for_takes_the_same_time_always(understudy, tmp_path, options):
+    script = 'date +%s.%N; "$UNDERSTUDY" camera front --out front.jpg; date +%s.%N'
+    done = understudy("exec", "go2", *CLOCK, *options, "--", "sh", "-c", script, cwd=tmp_path)
+
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (tmp_path / "front.jpg").read_bytes().startswith(b"\xff\xd8")
+    begun, seen = map(float, done.stdout.split())
+    assert seen - begun == pytest.approx(0.02, abs=0.003)  # it asks for the list, and for the picture
+
+
 def test_a_program_that_asks_and_requests_says_the_same_twice(understudy, tmp_path):
     asks = "for i in 1 2 3; do sleep 0.33; $UNDERSTUDY ctl snapshot --parts qpos; $UNDERSTUDY ctl push base_link 0 30 0; done; sleep 0.5"
     done = rehearsed(understudy, tmp_path, ["sh", "-c", asks], "--twice")
