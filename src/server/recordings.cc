@@ -21,6 +21,8 @@
 
 #include "base/errors.h"
 #include "base/unique_fd.h"
+#include "record/mcap_format.h"
+#include "record/truth_reader.h"
 
 namespace understudy::server {
 namespace {
@@ -29,6 +31,9 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr double kMostPoseHz = 60;  // poses a second; *assumed*, as many as screens show
+
+// How long a list looks into files; *assumed*: no longer than others may wait.
+constexpr std::chrono::milliseconds kLooking{50};
 
 constexpr double kRounding = 1e-6;  // s, far less than a step
 
@@ -42,18 +47,27 @@ bool IsName(std::string_view name) {
          });
 }
 
-// Whether the file ends as a finished one does. Another one would have to be read from its
-// beginning, and it may be long.
-bool IsFinished(const fs::path& file) {
+// How a file ends: as a finished one does, and with a summary. Another one would have to be read
+// from its beginning, and it may be long.
+struct FileEnd {
+  bool finished = false, summary = false;
+};
+
+FileEnd EndOf(const fs::path& file) {
   // O_NONBLOCK: a pipe that has taken the file's place must not keep the control plane waiting.
   const UniqueFd fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct stat about {};
-  std::array<char, record::kMcapMagic.size()> end{};
-  return fd.valid() && ::fstat(fd.get(), &about) == 0 && S_ISREG(about.st_mode) &&
-         ::pread(fd.get(), end.data(), end.size(),
-                 about.st_size - static_cast<off_t>(end.size())) ==
-             static_cast<ssize_t>(end.size()) &&
-         std::memcmp(end.data(), record::kMcapMagic.data(), end.size()) == 0;
+  std::array<char, record::kMcapFooter + record::kMcapMagic.size()> end{};
+  if (!fd.valid() || ::fstat(fd.get(), &about) != 0 || !S_ISREG(about.st_mode) ||
+      ::pread(fd.get(), end.data(), end.size(), about.st_size - static_cast<off_t>(end.size())) !=
+          static_cast<ssize_t>(end.size())) {
+    return {};
+  }
+  std::uint64_t summary = 0;  // where it begins
+  std::memcpy(&summary, end.data(), sizeof summary);
+  return {.finished = std::memcmp(end.data() + record::kMcapFooter, record::kMcapMagic.data(),
+                                  record::kMcapMagic.size()) == 0,
+          .summary = summary != 0};
 }
 
 std::string NotFinished(const fs::path& file) {
@@ -111,16 +125,18 @@ std::string RefusedOverTcp(const emulator::Request& request) {
 }
 
 std::string Recordings::WhyNotPlayed(const fs::path& file) const {
-  if (!IsFinished(file)) return NotFinished(file);
+  const FileEnd end = EndOf(file);
+  if (!end.finished) return NotFinished(file);
+  if (!end.summary) return "";
   try {
-    return OtherRobot(file, record::TruthReader(file));
+    return OtherRobot(file, record::McapReader(file));
   } catch (const SetupError& refused) {
     return refused.what();
   }
 }
 
-std::string Recordings::OtherRobot(const fs::path& file, const record::TruthReader& truth) const {
-  const auto& metadata = truth.reader().contents().metadata;
+std::string Recordings::OtherRobot(const fs::path& file, const record::McapReader& reader) const {
+  const auto& metadata = reader.contents().metadata;
   const auto about = metadata.find("understudy");
   const std::string robot =
       about == metadata.end() || !about->second.contains("robot") ? "" : about->second.at("robot");
@@ -152,16 +168,20 @@ HttpReply Recordings::List() {
   if (found.size() > kMost) found.resize(kMost);
   std::map<std::string, Seen> seen;  // what is gone is forgotten
   ordered_json recordings = ordered_json::array();
+  const auto enough = std::chrono::steady_clock::now() + kLooking;
   for (const Found& file : found) {
-    const auto known = seen_.find(file.name);
-    const bool same = known != seen_.end() && known->second.written == file.written &&
-                      known->second.bytes == file.bytes;
-    Seen& now = seen[file.name] = {
-        .written = file.written,
-        .bytes = file.bytes,
-        .why_not = same ? known->second.why_not : WhyNotPlayed(folder_ / file.name)};
     ordered_json told{{"name", file.name}, {"bytes", file.bytes}, {"written", file.written}};
-    if (!now.why_not.empty()) told["why_not"] = now.why_not;
+    const auto known = seen_.find(file.name);
+    if (known != seen_.end() && known->second.written == file.written &&
+        known->second.bytes == file.bytes) {
+      seen.insert(seen_.extract(known));
+    } else if (std::chrono::steady_clock::now() < enough) {
+      seen[file.name] = {.written = file.written,
+                         .bytes = file.bytes,
+                         .why_not = WhyNotPlayed(folder_ / file.name)};
+    }
+    const auto now = seen.find(file.name);
+    if (now != seen.end() && !now->second.why_not.empty()) told["why_not"] = now->second.why_not;
     recordings.push_back(std::move(told));
   }
   seen_ = std::move(seen);
@@ -180,10 +200,11 @@ HttpReply Recordings::Show(const HttpRequest& request, std::string_view name) co
   if (const std::string why = with_poses ? ReadQuery(request, &asked) : ""; !why.empty()) {
     return ErrorReply(400, why);
   }
-  if (!IsFinished(file)) return ErrorReply(409, NotFinished(file));
+  if (!EndOf(file).finished) return ErrorReply(409, NotFinished(file));
   try {
     const record::TruthReader truth(file);
-    if (const std::string why = OtherRobot(file, truth); !why.empty()) return ErrorReply(409, why);
+    if (const std::string why = OtherRobot(file, truth.reader()); !why.empty())
+      return ErrorReply(409, why);
     ordered_json told{{"from", truth.whole().from}, {"to", truth.whole().to}};
     if (!with_poses) return {.body = JsonText(told) + "\n"};
     if (scene_ == nullptr) return ErrorReply(404, "there is no scene");

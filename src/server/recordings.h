@@ -10,7 +10,7 @@
 
 #include "emulator/request.h"
 #include "physics/scene_reader.h"
-#include "record/truth_reader.h"
+#include "record/mcap_reader.h"
 #include "server/http.h"
 
 namespace understudy::server {
@@ -33,7 +33,8 @@ class Recordings {
 
   // {"folder": "/home/ann", "recordings": [{"name": "go2.mcap", "bytes": 9000, "written": 1.8e9}]},
   // newest first, kMost at most; `written` in s since 1970. One that cannot be played here has also
-  // "why_not". Of a file that has not changed since the last call that is known.
+  // "why_not", as far as that is found in a moment; later calls know more. Of a file that has not
+  // changed it is known.
   HttpReply List();
 
   // {"from": 0, "to": 12.5} [s, simulated]. With from=, to= and hz= in the query also "times" and
@@ -54,7 +55,7 @@ class Recordings {
 
   // Both "" for one of this robot.
   std::string WhyNotPlayed(const std::filesystem::path& file) const;
-  std::string OtherRobot(const std::filesystem::path& file, const record::TruthReader& truth) const;
+  std::string OtherRobot(const std::filesystem::path& file, const record::McapReader& reader) const;
 
   std::map<std::string, Seen> seen_;  // by name, as the last list had them
   std::filesystem::path folder_;

@@ -9,6 +9,7 @@
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
+#include "record/mcap_format.h"
 #include "record/mcap_writer.h"
 #include "record/truth.h"
 #include "tests/support/temporary_folder.h"
@@ -107,6 +108,18 @@ TEST_F(RecordingsTest, SaysInTheListWhichItDoesNotPlayAndWhy) {
   Record("cut.mcap");
   std::filesystem::remove(Here() / "mine.mcap");
   EXPECT_THAT(why_not(), ElementsAre(Pair("cut.mcap", ""), Pair("other.mcap", Not(""))));
+}
+
+TEST_F(RecordingsTest, ListsWithoutAWordWhatItWouldHaveToReadWhole) {
+  Record("other.mcap", "go2");
+  {
+    std::fstream file(Here() / "other.mcap", std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(-static_cast<int>(record::kMcapFooter + record::kMcapMagic.size()), std::ios::end);
+    file.write("\0\0\0\0\0\0\0\0", 8);  // where the summary begins
+  }
+  const json told = json::parse(dut_.List().body);
+  EXPECT_FALSE(told["recordings"][0].contains("why_not"));
+  EXPECT_EQ(Show("other.mcap").status, 409u);
 }
 
 TEST_F(RecordingsTest, PutsTheBodiesWhereTheRecordedJointsHadThem) {
