@@ -88,14 +88,6 @@ bool TakeOut(MjcfElement* parent, const std::string& place, const std::string& n
 void ModelDeleter::operator()(mjModel* model) const { mj_deleteModel(model); }
 ModelHandle CopyOf(const mjModel& model) { return ModelHandle(mj_copyModel(nullptr, &model)); }
 
-DataHandle MakeDataWithoutContacts(const mjModel& model) {
-  mjModel sizes = model;  // owns nothing
-  sizes.njmax = 0;
-  sizes.nconmax = 0;
-  return DataHandle(mj_makeData(&sizes));
-}
-void DataDeleter::operator()(mjData* data) const { mj_deleteData(data); }
-
 ModelHandle CompileMjcf(const MjcfElement& root, std::string* warning) {
   constexpr char kName[] = "understudy_world.xml";
   const MjcfText text = WriteMjcf(root);

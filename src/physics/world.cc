@@ -23,9 +23,9 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
              mjcf::ModelHandle nominal, mjcf::DataHandle memory)
     : model_(std::move(model)), nominal_(std::move(nominal)), data_(std::move(memory)) {
   if (data_ == nullptr) {
-    data_.reset(mj_makeData(model_.get()));
+    data_ = mjcf::MakeData(*model_);
   } else {
-    mj_resetData(model_.get(), data_.get());
+    mjcf::ResetData(*model_, data_.get());
   }
   mj_kinematics(model_.get(), data_.get());
   robots_.reserve(robots.size());
@@ -78,7 +78,7 @@ std::array<double, 2> World::GroundFriction() const {
 }
 
 void World::Reset() {
-  mj_resetData(model_.get(), data_.get());
+  mjcf::ResetData(*model_, data_.get());
   mj_forward(model_.get(), data_.get());
   for (RobotBody& robot : robots_) {
     robot.ReadMotion();
