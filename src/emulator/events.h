@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "emulator/request.h"
 
@@ -94,8 +94,6 @@ class EventRing {
  public:
   static constexpr std::size_t kCapacity = 2048;  // *assumed*: seconds of one refusal per tick
 
-  EventRing() : slots_(kCapacity) {}
-
   // For the writer: sets the step of the events added from now on.
   void SetStep(std::int64_t step, double time) {
     step_ = step;
@@ -112,11 +110,11 @@ class EventRing {
     const std::uint64_t number = written_.load(std::memory_order_relaxed);
     begun_.store(number + 1, std::memory_order_relaxed);
     // A reader of one of these words sees that its slot is being overwritten.
-    Slot& slot = slots_[number % kCapacity];
+    Words& slot = slots_[number % kCapacity];
     Words words;
     std::memcpy(words.data(), &event, sizeof event);
     for (std::size_t i = 0; i < words.size(); ++i) {
-      slot[i].store(words[i], std::memory_order_release);
+      std::atomic_ref(slot[i]).store(words[i], std::memory_order_release);
     }
     written_.store(number + 1, std::memory_order_release);
   }
@@ -163,14 +161,13 @@ class EventRing {
  private:
   using Words = std::array<std::uint64_t, sizeof(Event) / sizeof(std::uint64_t)>;
   static_assert(sizeof(Words) == sizeof(Event) && std::is_trivially_copyable_v<Event>);
-  using Slot = std::array<std::atomic<std::uint64_t>, std::tuple_size_v<Words>>;
 
   // Returns false if the event was overwritten meanwhile.
   bool Copy(std::uint64_t number, Event* event) const {
-    const Slot& slot = slots_[number % kCapacity];
+    Words& slot = slots_[number % kCapacity];
     Words words;
     for (std::size_t i = 0; i < words.size(); ++i) {
-      words[i] = slot[i].load(std::memory_order_acquire);
+      words[i] = std::atomic_ref(slot[i]).load(std::memory_order_acquire);
     }
     if (begun_.load(std::memory_order_relaxed) > number + kCapacity) return false;
     std::memcpy(static_cast<void*>(event), words.data(), sizeof *event);
@@ -179,7 +176,8 @@ class EventRing {
 
   std::int64_t step_ = 0;
   double time_ = 0;
-  std::vector<Slot> slots_;
+  // Takes memory where events have been written.
+  std::unique_ptr<Words[]> slots_ = std::make_unique_for_overwrite<Words[]>(kCapacity);
   std::atomic<std::uint64_t> begun_{0};
   std::atomic<std::uint64_t> written_{0};
 };
