@@ -47,12 +47,15 @@ std::vector<schema::Entry> ConfigEntries() {
   return all;
 }
 
-std::vector<schema::Entry> SettingKeys() {
-  const std::vector<schema::Entry> all = ConfigEntries();
-  std::vector<schema::Entry> keys;
-  for (const emulator::LiveSetting& live : emulator::LiveSettings()) {
-    keys.push_back(*std::ranges::find(all, live.key, &schema::Entry::key));
-  }
+const std::vector<schema::Entry>& SettingKeys() {
+  static const std::vector<schema::Entry> keys = [] {
+    const std::vector<schema::Entry> all = ConfigEntries();
+    std::vector<schema::Entry> of_live;
+    for (const emulator::LiveSetting& live : emulator::LiveSettings()) {
+      of_live.push_back(*std::ranges::find(all, live.key, &schema::Entry::key));
+    }
+    return of_live;
+  }();
   return keys;
 }
 

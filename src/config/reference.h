@@ -18,7 +18,7 @@ std::vector<std::string> ConfigKeys();
 
 // Returns the row of each of emulator::LiveSettings(), the keys that can change while a robot runs,
 // in its order.
-std::vector<schema::Entry> SettingKeys();
+const std::vector<schema::Entry>& SettingKeys();
 
 // Returns the words that this key takes, of a switch false and true; none for one that takes
 // numbers or any text, and for one that there is not.

@@ -1,6 +1,7 @@
 // The settings of the world and of each of its robots.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "authority/command_gate.h"
@@ -19,7 +20,7 @@ struct WorldSettings {
   double ground_friction = 0;        // as terrain.friction
   // What the live keys take, in the order of LiveSettings (config::SettingKeys); none: none can
   // change.
-  std::vector<schema::Entry> keys{};
+  std::span<const schema::Entry> keys{};
 };
 
 // The settings of a robot, validated: its pose and service exist.

@@ -39,7 +39,7 @@ Snapshot World::MakeSnapshot(std::size_t robot) const {
   snapshot.limits = robot::MotorLimitsOf(spec);
   snapshot.damage_limits = robot::DamageLimitsOf(spec);
   snapshot.trip_c = spec.thermal.trip_c;
-  snapshot.setting_keys = settings_.keys;
+  snapshot.setting_keys.assign(settings_.keys.begin(), settings_.keys.end());
   snapshot.settings.resize(settings_.keys.size());
   snapshot.faults.reserve(robot::FaultBank::kMost);
   snapshot.damage.motors.resize(snapshot.motor_names.size());
