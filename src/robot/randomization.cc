@@ -1,8 +1,9 @@
 #include "robot/randomization.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <random>
+#include <cstdint>
 
 namespace understudy::robot {
 namespace {
@@ -15,6 +16,23 @@ std::uint64_t HashOf(std::string_view quantity, std::string_view element) {
   add(0);
   for (const char c : element) add(static_cast<unsigned char>(c));
   return hash;
+}
+
+// The first number of std::mt19937_64(seed), without the 311 others that it makes ready. Constants
+// and formulas: M. Matsumoto, T. Nishimura, mt19937-64 (2004), as the C++ standard has them.
+std::uint64_t FirstOfMersenneTwister(std::uint64_t seed) {
+  constexpr std::size_t kMiddle = 156;
+  std::array<std::uint64_t, kMiddle + 1> state{seed};
+  for (std::size_t i = 1; i < state.size(); ++i) {
+    state[i] = 0x5851f42d4c957f2dU * (state[i - 1] ^ (state[i - 1] >> 62)) + i;
+  }
+  constexpr std::uint64_t kLower = (std::uint64_t{1} << 31) - 1;
+  const std::uint64_t joined = (state[0] & ~kLower) | (state[1] & kLower);
+  std::uint64_t x = state[kMiddle] ^ (joined >> 1) ^ ((joined & 1) * 0xb5026f5aa96619e9U);
+  x ^= (x >> 29) & 0x5555555555555555U;
+  x ^= (x << 17) & 0x71d67fffeda60000U;
+  x ^= (x << 37) & 0xfff7eee000000000U;
+  return x ^ (x >> 43);
 }
 
 // The period [ns] of a rate, 0 if it is not whole.
@@ -43,9 +61,9 @@ double Randomizer::DrawOneOf(std::string_view quantity, const std::vector<double
 }
 
 double Randomizer::Throw(std::string_view quantity, std::string_view element) const {
-  std::mt19937_64 stream(HashOf(quantity, element) + static_cast<std::uint64_t>(draws_.seed));
+  const std::uint64_t seed = HashOf(quantity, element) + static_cast<std::uint64_t>(draws_.seed);
   // 53 bits; the standard's distributions differ between libraries.
-  return static_cast<double>(stream() >> 11) * 0x1p-53;
+  return static_cast<double>(FirstOfMersenneTwister(seed) >> 11) * 0x1p-53;
 }
 
 double Randomizer::Note(std::string_view quantity, std::string_view element, double value) {

@@ -1,6 +1,9 @@
 #include "robot/randomization.h"
 
+#include <cstdint>
+#include <random>
 #include <set>
+#include <string_view>
 
 #include <gmock/gmock.h>
 
@@ -18,6 +21,21 @@ TEST(DiceTest, ThrowTheSameForTheSameSeedOnEveryMachine) {
   EXPECT_EQ(randomizer.Draw("mass", "FL_hip", 0.9, 1.1), 0.9088873172354565);
   EXPECT_EQ(randomizer.Draw("friction", "", 0, 1), 0.6367333097963079);
   EXPECT_EQ(Randomizer(8).Draw("mass", "base_link", 0.9, 1.1), 1.099605042037077);
+}
+
+// Spelled out by the standard's own engine.
+TEST(DiceTest, ThrowWhatAMersenneTwisterGivesFirst) {
+  const auto fnv = [](std::string_view bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    return hash;
+  };
+  for (int seed = 0; seed < 1000; ++seed) {
+    using std::string_view_literals::operator""sv;
+    std::mt19937_64 engine(fnv("mass\0trunk"sv) + static_cast<std::uint64_t>(seed));
+    const double first = static_cast<double>(engine() >> 11) * 0x1p-53;
+    ASSERT_EQ(Randomizer(seed).Draw("mass", "trunk", 0, 1), first);
+  }
 }
 
 TEST(DiceTest, ThrowOtherwiseForEachSeedQuantityAndElement) {
