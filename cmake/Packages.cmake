@@ -18,6 +18,7 @@ endif()
 if(UNDERSTUDY_VIEWER)
   understudy_package(glfw HEADER GLFW/glfw3.h LIBRARIES glfw DEBIAN libglfw3-dev)
   understudy_package(jpeg HEADER turbojpeg.h LIBRARIES turbojpeg DEBIAN libturbojpeg0-dev)
+  understudy_package(x264 HEADER x264.h LIBRARIES x264 DEBIAN libx264-dev)
   # Its header alone: the library is loaded where it is wanted (viewer/headless_gl.h).
   understudy_package(egl HEADER EGL/egl.h DEBIAN libegl-dev)
 endif()

@@ -23,6 +23,7 @@ build_packages=(
   "libglfw3-dev:window onto a robot"
   "libegl-dev:pictures without a display"
   "libturbojpeg0-dev:pictures of a robot's cameras"
+  "libx264-dev:video streams of a robot's cameras"
   "libsdl2-dev:gamepads of understudy remote"
   "libboost-dev:local HTTP of the control socket (Beast)"
   "libjs-three:3-D in the browser panel (three.js)"

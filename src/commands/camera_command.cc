@@ -70,13 +70,15 @@ std::string PathOf(const fs::path& socket, const std::string& name) {
 }
 
 int List(const fs::path& socket) {
-  std::vector<ctl::Cells> rows = {{"CAMERA", "PIXELS", "SERVICE"}};
+  std::vector<ctl::Cells> rows = {{"CAMERA", "PIXELS", "SERVICE", "VIDEO"}};
   for (const auto& camera : CamerasOf(socket)) {
     const std::string service = camera.at("service");
+    const int port = camera.at("video").at("port");
     rows.push_back({camera.at("name"),
                     std::to_string(camera.at("width").get<int>()) + "x" +
                         std::to_string(camera.at("height").get<int>()),
-                    service.empty() ? "none" : service});
+                    service.empty() ? "none" : service,
+                    port == 0 ? "none" : "230.1.1.1:" + std::to_string(port)});
   }
   std::cout << (rows.size() == 1 ? "this robot has no camera\n" : ctl::Aligned(rows));
   return 0;

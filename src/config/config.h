@@ -17,10 +17,15 @@
 
 namespace understudy::config {
 
+// When a robot sends the video streams of its cameras. kJoined: while a program of this machine
+// reads them on the robot's interface.
+enum class VideoSending { kJoined, kAlways, kOff };
+
 struct NetworkConfig {
   std::string interface = "lo";
   int domain = 0;
   std::string partition;  // of DDS, in which all topics are; "" is the usual one
+  VideoSending video = VideoSending::kJoined;
 };
 
 // What to do when another robot publishes on this network after the start. kWarn also lets a run

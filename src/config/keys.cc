@@ -18,6 +18,10 @@ void DescribeNetwork(Archive& a, NetworkConfig& c) {
   a.Key(UNDERSTUDY_NVP(c.partition),
         {"DDS partition of all topics; programs must name it too; \"\" is the one that they have "
          "without"});
+  a.Choice(UNDERSTUDY_NVP(c.video),
+           {"When cameras send video: joined, while a program of this machine reads 230.1.1.1 on "
+            "that interface; always; off, also none to video_topic"},
+           {"joined", "always", "off"});
 }
 
 void DescribeGuard(Archive& a, GuardConfig& c) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <optional>
 #include <system_error>
 
@@ -23,12 +24,25 @@ namespace {
 // *Assumed*: a driver that takes longer hangs. The first picture takes a second.
 constexpr timeval kMostWait{.tv_sec = 30, .tv_usec = 0};
 
-std::string OrderText(const robot::CameraSpec& camera, double light) {
-  return nlohmann::json{{"camera", camera.name},     {"width", camera.width},
-                        {"height", camera.height},   {"focal", camera.focal},
-                        {"centre", camera.centre},   {"distortion", camera.distortion},
-                        {"quality", camera.quality}, {"light", light}}
+std::string OrderText(const robot::CameraSpec& camera, const CameraProcess::Wanted& wanted) {
+  return nlohmann::json{
+      {"camera", camera.name},     {"width", camera.width},       {"height", camera.height},
+      {"focal", camera.focal},     {"centre", camera.centre},     {"distortion", camera.distortion},
+      {"quality", camera.quality}, {"video_hz", camera.video_hz}, {"jpeg", wanted.jpeg},
+      {"frame", wanted.frame},     {"again", wanted.again},       {"light", wanted.light}}
       .dump();
+}
+
+// Behind the "+": the length of the JPEG in four bytes, the JPEG, the frame.
+CameraProcess::Drawn ReadDrawn(const std::string& reply) {
+  std::uint32_t length = 0;
+  constexpr std::size_t kHead = 1 + sizeof length;
+  if (reply.size() >= kHead) std::memcpy(&length, reply.data() + 1, sizeof length);
+  if (reply.size() < kHead || reply.size() - kHead < length) {
+    throw SetupError("the program that draws is of another version");
+  }
+  const auto jpeg = reply.begin() + kHead, frame = jpeg + length;
+  return {.jpeg = {jpeg, frame}, .frame = {frame, reply.end()}};
 }
 
 }  // namespace
@@ -38,8 +52,8 @@ CameraProcess::CameraProcess(const std::filesystem::path& program,
   const auto fail = [&](int error) {
     throw SetupError(program.string() +
                      " cannot be run: " + std::generic_category().message(error) +
-                     (error == ENOENT ? "; it is built where libglfw3-dev, libegl-dev and "
-                                        "libturbojpeg0-dev are"
+                     (error == ENOENT ? "; it is built where libglfw3-dev, libegl-dev, "
+                                        "libturbojpeg0-dev and libx264-dev are"
                                       : ""));
   };
   std::array<int, 2> ends{-1, -1};
@@ -79,15 +93,15 @@ CameraProcess::~CameraProcess() {
   }
 }
 
-std::vector<std::uint8_t> CameraProcess::Draw(const robot::CameraSpec& camera, double light,
-                                              const emulator::Snapshot& state) {
-  const bool sent = exec::SendMessage(socket_.get(), OrderText(camera, light)) &&
+CameraProcess::Drawn CameraProcess::Draw(const robot::CameraSpec& camera, const Wanted& wanted,
+                                         const emulator::Snapshot& state) {
+  const bool sent = exec::SendMessage(socket_.get(), OrderText(camera, wanted)) &&
                     exec::SendMessage(socket_.get(), server::SnapshotJson(state, kParts));
   const std::optional<std::string> reply =
       sent ? exec::ReceiveMessage(socket_.get()) : std::nullopt;
   if (!reply || reply->empty()) throw SetupError("the program that draws has ended or hangs");
   if (reply->front() != '+') throw SetupError(reply->substr(1));
-  return {reply->begin() + 1, reply->end()};
+  return ReadDrawn(*reply);
 }
 
 void CameraProcess::Interrupt() const { ::shutdown(socket_.get(), SHUT_RDWR); }

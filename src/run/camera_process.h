@@ -21,6 +21,19 @@ class CameraProcess {
   // The parts of a snapshot of which a picture is made.
   static constexpr emulator::SnapshotParts kParts = emulator::kPartPositions | emulator::kPartCrane;
 
+  // What is to be made of a picture.
+  struct Wanted {
+    bool jpeg = true;
+    bool frame = false;  // of the camera's video
+    bool again = false;  // of its last picture, if there is one, instead of the state's
+    double light = 1;    // share of it
+  };
+  // What is not wanted is empty.
+  struct Drawn {
+    std::vector<std::uint8_t> jpeg;
+    std::vector<std::uint8_t> frame;  // H.264, Annex B
+  };
+
   // Starts `program`. Throws SetupError if it cannot be run.
   CameraProcess(const std::filesystem::path& program, const std::filesystem::path& control_socket);
   // Ends it.
@@ -28,10 +41,10 @@ class CameraProcess {
   CameraProcess(const CameraProcess&) = delete;
   CameraProcess& operator=(const CameraProcess&) = delete;
 
-  // Returns the picture of a state as a JPEG, with that share of the light. Throws SetupError with
-  // the reason if there is none; the process is then of no more use.
-  std::vector<std::uint8_t> Draw(const robot::CameraSpec& camera, double light,
-                                 const emulator::Snapshot& state);
+  // Draws the picture of a state. Throws SetupError with the reason if there is none; the process
+  // is then of no more use.
+  Drawn Draw(const robot::CameraSpec& camera, const Wanted& wanted,
+             const emulator::Snapshot& state);
 
   // Has a Draw in another thread throw at once.
   void Interrupt() const;

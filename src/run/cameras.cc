@@ -1,6 +1,7 @@
 #include "run/cameras.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -12,7 +13,8 @@ namespace understudy::run {
 using services::Picture;
 
 Cameras::Cameras(const emulator::World& world, std::size_t robot, std::filesystem::path program,
-                 std::filesystem::path control_socket, bool holds_steps)
+                 std::filesystem::path control_socket, const config::NetworkConfig& network,
+                 const bus::Participant* participant, bool holds_steps)
     : robot_(robot),
       cameras_(world.robot(robot).spec().cameras),
       program_(std::move(program)),
@@ -22,7 +24,7 @@ Cameras::Cameras(const emulator::World& world, std::size_t robot, std::filesyste
       begun_(cameras_.size()),
       looked_(cameras_.size()),
       jobs_(1, {.faults = {}, .state = world.MakeSnapshot(robot)}),
-      newest_(cameras_.size()) {
+      video_(cameras_, network, participant) {
   if (cameras_.empty()) return;
   thread_ = std::jthread([this](const std::stop_token& stop) { Work(stop); });
 }
@@ -58,16 +60,12 @@ void Cameras::Pop() noexcept {
 std::optional<ExitCode> Cameras::After(const Cycle& cycle) {
   for (std::size_t i = 0; i < open_.size() && !busy_; ++i) {
     const std::size_t camera = (turn_ + i) % open_.size();
-    const std::uint64_t looks = looked_[camera];
-    if (open_[camera] == 0 && looks == begun_[camera]) continue;
+    const bool asked = open_[camera] != 0 || looked_[camera] != begun_[camera];
+    const bool due = video_.IsDue(camera, cycle.world.time());
+    if (!asked && !due) continue;
     Job* const job = jobs_.Claim();
     if (job == nullptr) break;
-    job->order = open_[camera] != 0 ? std::exchange(open_[camera], 0) : ++last_;
-    job->looks = begun_[camera] = looks;
-    job->camera = camera;
-    job->faults = cycle.world.robot(robot_).faults().effects().cameras[camera];
-    job->state.parts = CameraProcess::kParts;
-    cycle.world.Show(&job->state);
+    Fill(camera, due, cycle.world, job);
     jobs_.Commit();
     bell_.Ring();
     busy_ = true;
@@ -76,10 +74,25 @@ std::optional<ExitCode> Cameras::After(const Cycle& cycle) {
   return {};
 }
 
+void Cameras::Fill(std::size_t camera, bool due, const emulator::World& world, Job* job) {
+  const std::uint64_t looks = looked_[camera];
+  job->jpeg = open_[camera] != 0 || looks != begun_[camera];
+  job->frame = due;
+  if (due) video_.Begin(camera, world.time());
+  job->order = open_[camera] != 0 ? std::exchange(open_[camera], 0) : ++last_;
+  job->looks = begun_[camera] = looks;
+  job->camera = camera;
+  job->faults = world.robot(robot_).faults().effects().cameras[camera];
+  job->state.parts = CameraProcess::kParts;
+  world.Show(&job->state);
+}
+
 void Cameras::Work(const std::stop_token& stop) {
   pollfd wakes{.fd = bell_.fd(), .events = POLLIN, .revents = 0};
+  const int patience = video_.possible() ? static_cast<int>(Video::kWatchPeriod.count()) : -1;
   while (!stop.stop_requested()) {
-    ::poll(&wakes, 1, -1);
+    video_.Watch(std::chrono::steady_clock::now());
+    ::poll(&wakes, 1, patience);
     bell_.Answer();
     const Job* const job = jobs_.Front();
     if (job == nullptr) continue;
@@ -106,16 +119,12 @@ void Cameras::Show(const Job& job, const Picture& picture) {
 Picture Cameras::Make(const Job& job, const std::stop_token& stop) {
   using enum Picture::Outcome;
   if (job.faults.lost) return {.order = job.order, .outcome = kLost};
-  services::PictureBytes& newest = newest_[job.camera];
-  if (job.faults.frozen && newest != nullptr) {
-    return {.order = job.order, .outcome = kDrawn, .jpeg = newest};
-  }
   try {
-    newest = Draw(job, stop);
-    return {.order = job.order, .outcome = kDrawn, .jpeg = newest};
+    return {.order = job.order, .outcome = kDrawn, .jpeg = Draw(job, stop)};
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
     process_.reset();
+    video_.Rest(std::chrono::steady_clock::now());
     if (!stop.stop_requested() && why_not_ != error.what()) {
       why_not_ = error.what();
       spdlog::warn("the cameras give no pictures: {}", why_not_);
@@ -129,8 +138,12 @@ services::PictureBytes Cameras::Draw(const Job& job, const std::stop_token& stop
     const std::lock_guard lock(mutex_);
     if (!stop.stop_requested()) process_.emplace(program_, control_socket_);
   }
-  return std::make_shared<const std::vector<std::uint8_t>>(
-      process_.value().Draw(cameras_[job.camera], job.faults.light, job.state));
+  CameraProcess::Drawn drawn = process_.value().Draw(
+      cameras_[job.camera],
+      {.jpeg = job.jpeg, .frame = job.frame, .again = job.faults.frozen, .light = job.faults.light},
+      job.state);
+  if (job.frame) video_.Send(job.camera, job.state.time, drawn.frame);
+  return std::make_shared<const std::vector<std::uint8_t>>(std::move(drawn.jpeg));
 }
 
 }  // namespace understudy::run

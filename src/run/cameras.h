@@ -23,24 +23,28 @@
 #include "robot/robot_spec.h"
 #include "run/camera_process.h"
 #include "run/loop.h"
+#include "run/video.h"
 #include "server/camera_views.h"
 #include "services/picture_source.h"
 
 namespace understudy::run {
 
 // One picture is drawn at a time, of the state after the cycle in which its turn comes; cameras
-// take turns. What is ordered meanwhile shares the next picture of its camera. The loop hands over
-// a copy of the state and never waits, but on a clock of programs: there no step is made until
-// the picture is drawn, which takes real time. A thread waits for the process that draws, which is
-// started for the first picture and kept. Nothing is drawn that is not ordered.
+// take turns. What is ordered meanwhile, and a frame of its video that is due, share the next
+// picture of a camera. The loop hands over a copy of the state and never waits, but on a clock of
+// programs: there no step is made until the picture is drawn, which takes real time. A thread waits
+// for the process that draws, which is started for the first picture and kept. Nothing is drawn
+// that nobody wants.
 class Cameras final : public Attachment,
                       public services::PictureSource,
                       public server::CameraViews {
  public:
   // Of the robot of that number. `program` is understudy-view. `world` must outlive this.
-  // `holds_steps`: until a picture is drawn.
+  // `network` is where videos are sent, `participant` as for Video. `holds_steps`: until a picture
+  // is drawn.
   Cameras(const emulator::World& world, std::size_t robot, std::filesystem::path program,
-          std::filesystem::path control_socket, bool holds_steps = false);
+          std::filesystem::path control_socket, const config::NetworkConfig& network,
+          const bus::Participant* participant, bool holds_steps = false);
   ~Cameras() override;
 
   Order Begin(std::string_view service) noexcept override;
@@ -51,12 +55,16 @@ class Cameras final : public Attachment,
   std::span<const robot::CameraSpec> cameras() const noexcept override { return cameras_; }
   std::future<services::Picture> Look(std::size_t camera) override;
   const Bell& news() const noexcept override { return news_; }
+  server::VideoCounts video(std::size_t camera) const noexcept override {
+    return video_.counts(camera);
+  }
 
  private:
   struct Job {
     Order order = 0;
     std::size_t camera = 0;
-    std::uint64_t looks = 0;  // that wait for it: of its camera, up to this number
+    std::uint64_t looks = 0;           // that wait for it: of its camera, up to this number
+    bool jpeg = false, frame = false;  // what is made of it
     robot::CameraEffects faults;
     emulator::Snapshot state;
   };
@@ -71,6 +79,7 @@ class Cameras final : public Attachment,
   void Show(const Job& job, const services::Picture& picture);
   services::Picture Make(const Job& job, const std::stop_token& stop);
   services::PictureBytes Draw(const Job& job, const std::stop_token& stop);
+  void Fill(std::size_t camera, bool due, const emulator::World& world, Job* job);
 
   std::size_t robot_;
   std::vector<robot::CameraSpec> cameras_;
@@ -98,9 +107,9 @@ class Cameras final : public Attachment,
   // Of the thread:
   std::mutex mutex_;  // over the existence of process_; that thread and the destructor
   std::optional<CameraProcess> process_;
-  std::vector<services::PictureBytes> newest_;  // by camera
-  std::string why_not_;                         // the last reason in the log
-  std::jthread thread_;                         // last: it uses all of the above
+  std::string why_not_;  // the last reason in the log
+  Video video_;
+  std::jthread thread_;  // last: it uses all of the above
 };
 
 }  // namespace understudy::run

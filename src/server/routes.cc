@@ -172,11 +172,19 @@ std::span<const robot::CameraSpec> CamerasOf(const Plane& plane) {
 
 Routed GetCameras(const HttpRequest&, std::string_view, Plane& plane) {
   ordered_json cameras = ordered_json::array();
-  for (const robot::CameraSpec& camera : CamerasOf(plane)) {
+  const auto specs = CamerasOf(plane);
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const robot::CameraSpec& camera = specs[i];
+    const VideoCounts video = plane.views->video(i);
     cameras.push_back({{"name", camera.name},
                        {"service", camera.service},
                        {"width", camera.width},
-                       {"height", camera.height}});
+                       {"height", camera.height},
+                       {"video",
+                        {{"port", camera.video_port},
+                         {"sent", video.sent},
+                         {"missed", video.missed},
+                         {"unsent_packets", video.unsent}}}});
   }
   return JsonReply({{"cameras", cameras}});
 }

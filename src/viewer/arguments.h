@@ -81,7 +81,7 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments);
 
 // The hint of a build without understudy-view.
 inline constexpr char kViewerMissing[] =
-    "build it: apt-get install libglfw3-dev libegl-dev libturbojpeg0-dev (or run ./tools/up), and "
-    "not with -DUNDERSTUDY_VIEWER=OFF";
+    "build it: apt-get install libglfw3-dev libegl-dev libturbojpeg0-dev libx264-dev (or run "
+    "./tools/up), and not with -DUNDERSTUDY_VIEWER=OFF";
 
 }  // namespace understudy::viewer

@@ -22,7 +22,22 @@ robot::CameraSpec ReadCamera(const nlohmann::json& order) {
   camera.centre = order.at("centre");
   camera.distortion = order.at("distortion");
   camera.quality = order.at("quality");
+  camera.video_hz = order.at("video_hz");
   return camera;
+}
+
+// The length of the JPEG in four bytes, the JPEG, the frame; each is empty where it is not asked
+// for.
+std::string Answer(const nlohmann::json& order, const SceneState& state, RobotEyes* eyes) {
+  const robot::CameraSpec camera = ReadCamera(order);
+  const Image* picture = order.at("again") ? eyes->Last(camera) : nullptr;
+  if (picture == nullptr) picture = &eyes->See(camera, order.at("light"), state);
+  const std::string jpeg = order.at("jpeg") ? EncodeJpeg(*picture, camera.quality) : "";
+  const auto length = static_cast<std::uint32_t>(jpeg.size());
+  std::string answer(reinterpret_cast<const char*>(&length), sizeof length);
+  answer += jpeg;
+  if (order.at("frame")) answer += eyes->Film(camera, *picture, state.time);
+  return answer;
 }
 
 }  // namespace
@@ -42,7 +57,22 @@ const Image& RobotEyes::See(const robot::CameraSpec& camera, double light,
   Eye& eye = eyes_.try_emplace(camera.name, camera, &stage_).first->second;
   stage_.Show(state);
   stage_.Compose(&eye.camera, {}, nullptr);
-  return eye.lens.Bend(eye.canvas.Draw(&stage_), light);
+  eye.last = &eye.lens.Bend(eye.canvas.Draw(&stage_), light);
+  return *eye.last;
+}
+
+const Image* RobotEyes::Last(const robot::CameraSpec& camera) const {
+  const auto eye = eyes_.find(camera.name);
+  return eye == eyes_.end() ? nullptr : eye->second.last;
+}
+
+std::string RobotEyes::Film(const robot::CameraSpec& camera, const Image& picture, double time) {
+  auto& video = eyes_.at(camera.name).video;
+  if (!video) {
+    video = std::make_unique<H264Encoder>(
+        PictureSize{.width = picture.width, .height = picture.height}, camera.video_hz);
+  }
+  return video->Encode(picture, time);
 }
 
 void ServeCameras(const std::filesystem::path& control_socket) {
@@ -53,10 +83,8 @@ void ServeCameras(const std::filesystem::path& control_socket) {
     std::string reply;
     try {
       if (!eyes) eyes.emplace(FetchModel(control_socket), FetchName(control_socket));
-      const nlohmann::json asked = nlohmann::json::parse(*order);
-      const robot::CameraSpec camera = ReadCamera(asked);
       const SceneState state = ReadSnapshot(*snapshot, eyes->positions());
-      reply = "+" + EncodeJpeg(eyes->See(camera, asked.at("light"), state), camera.quality);
+      reply = "+" + Answer(nlohmann::json::parse(*order), state, &*eyes);
     } catch (const std::exception& error) {
       reply = "-" + std::string(error.what());
     }

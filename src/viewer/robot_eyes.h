@@ -9,6 +9,7 @@
 
 #include "robot/robot_spec.h"
 #include "viewer/canvas.h"
+#include "viewer/h264_encoder.h"
 #include "viewer/headless_gl.h"
 #include "viewer/lens_table.h"
 #include "viewer/scene_state.h"
@@ -26,6 +27,12 @@ class RobotEyes {
   // camera of its name. Throws SetupError.
   const Image& See(const robot::CameraSpec& camera, double light, const SceneState& state);
 
+  // Returns the camera's last picture; null before the first.
+  const Image* Last(const robot::CameraSpec& camera) const;
+
+  // Returns the frame of the camera's video that shows its picture. Throws SetupError.
+  std::string Film(const robot::CameraSpec& camera, const Image& picture, double time);
+
   std::size_t positions() const { return stage_.positions(); }
 
  private:
@@ -35,6 +42,8 @@ class RobotEyes {
     LensTable lens;
     Canvas canvas;
     mjvCamera camera{};
+    const Image* last = nullptr;         // of the lens
+    std::unique_ptr<H264Encoder> video;  // made for the first frame
   };
 
   std::unique_ptr<HeadlessGl> gl_;
@@ -43,7 +52,8 @@ class RobotEyes {
 };
 
 // Serves `understudy run` on standard input, a socket, until that closes: for each order, and the
-// snapshot that follows it, a JPEG behind a "+", or a reason behind a "-" (run/camera_process.h).
+// snapshot that follows it, what it asks for behind a "+", or a reason behind a "-"
+// (run/camera_process.h).
 void ServeCameras(const std::filesystem::path& control_socket);
 
 }  // namespace understudy::viewer

@@ -1,5 +1,5 @@
-"""The pictures of robots' cameras, read with the vendor's Python SDK and decoded by ffmpeg: what stands in front is
-where the lens has it."""
+"""The pictures and the video of robots' cameras, read with the vendor's Python SDK and from the network, and decoded by
+ffmpeg: what stands in front is where the lens has it."""
 
 import subprocess
 
@@ -80,3 +80,63 @@ def test_a_b2_sees_ahead_and_behind(rehearse, tmp_path, camera):
     red = (picture[:, :, 0] > 2 * picture[:, :, 1]) & (picture[:, :, 0] > 60)
     assert red.sum() > 10_000
     assert np.flatnonzero(red.any(axis=0)).mean() == pytest.approx(WIDTH / 2, abs=20)
+
+
+def last_frame(file):
+    """The last picture of a file of them."""
+    return np.fromfile(file, np.uint8).reshape(-1, HEIGHT, WIDTH, 3)[-1].astype(int)
+
+
+def assert_shows_the_box(picture):
+    """H.264 has half of the resolution in its colours."""
+    (left, row), (right, _) = pixel_of(-HALF[0] / AWAY, 0), pixel_of(HALF[0] / AWAY, 0)
+    assert red_span(picture[round(row)])[:2] == (pytest.approx(left, abs=4), pytest.approx(right, abs=4))
+    (column, top), (_, bottom) = pixel_of(0, -HALF[1] / AWAY), pixel_of(0, HALF[1] / AWAY)
+    assert red_span(picture[:, round(column)])[:2] == (pytest.approx(top, abs=4), pytest.approx(bottom, abs=4))
+
+
+@pytest.fixture(scope="module")
+def video(rehearse, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("video")
+    (folder / "scene.xml").write_text(SCENE)
+    options = ("--start", "clamped", "--scene", str(folder / "scene.xml"))
+    run = rehearse("go2", "video_watch.py", "1720", str(folder / "frames.rgb"), "10", options=options, patience=120)
+    assert run.succeeded()
+    return run.report, folder / "frames.rgb"
+
+
+def test_ffmpeg_joins_the_stream_in_its_middle_and_sees_the_box(video):
+    _, frames = video
+    assert_shows_the_box(last_frame(frames))
+
+
+def test_the_stream_is_rtp_with_frames_to_join_at_every_two_seconds(video):
+    report, _ = video
+    assert report["kinds"] == [[0x80, 96]] and report["sources"] == 1
+    assert report["longest"] <= 1400
+    assert report["lost"] == 0
+    assert report["keys"] == pytest.approx(report["seconds"] / 2, abs=1.5)
+    assert report["before_keys"] == [[7, 8]]
+    assert min(report["steps"]) > 0.03  # s of simulated time; 1/13.8 where the computer draws that fast
+
+
+def test_states_go_on_at_their_rate_beside_the_stream(video):
+    report, _ = video
+    assert report["states_per_tick"] > 0.98
+    assert report["pace"] > 0.9
+
+
+@pytest.mark.parametrize("robot, topic", [("go2", "rt/frontvideostream"), ("b2", "rt/front_videohub/videostream")])
+def test_the_topic_of_the_video_has_frames_that_ffmpeg_decodes(rehearse, tmp_path, robot, topic):
+    (tmp_path / "scene.xml").write_text(SCENE.replace('pos="1.6 0', 'pos="3 0'))
+    run = rehearse(robot, "video_topic.py", topic, str(tmp_path / "frames.h264"), "5",
+                   options=("--start", "clamped", "--scene", str(tmp_path / "scene.xml")))
+    assert run.succeeded()
+    assert run.report["others"] == 0
+    times = run.report["times"]
+    assert times == sorted(set(times))
+    raw = ["ffmpeg", "-loglevel", "error", "-f", "h264", "-i", tmp_path / "frames.h264", "-f", "rawvideo", "-pix_fmt", "rgb24",
+           tmp_path / "frames.rgb"]  # fmt: skip
+    subprocess.run(raw, check=True)
+    picture = last_frame(tmp_path / "frames.rgb")
+    assert ((picture[:, :, 0] > 2 * picture[:, :, 1]) & (picture[:, :, 0] > 60)).sum() > 10_000

@@ -20,6 +20,7 @@
 #include "tests/support/manual_clock.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/video/joined.h"
 
 namespace understudy::run {
 namespace {
@@ -40,6 +41,7 @@ class CamerasTest : public test::MujocoTest {
     back.name = "back";
     back.service = "back_videohub";
     back.quality = 40;
+    back.video_port = reader_.port();
     config_.robots[0].spec.cameras = {front, back};
     world_ = assembly::MakeWorld(
         test::FixtureWorld(config_.robots[0].spec, config_.physics.timestep), config_,
@@ -48,11 +50,14 @@ class CamerasTest : public test::MujocoTest {
   }
   ~CamerasTest() override { spdlog::set_default_logger(before_); }
 
-  void Start(const std::string& program, const std::string& socket, bool holds_steps = false) {
+  void Start(const std::string& program, const std::string& socket, bool holds_steps = false,
+             config::VideoSending video = config::VideoSending::kOff) {
     cameras_.reset();
     cameras_ = std::make_unique<Cameras>(
         *world_, 0, std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "tests/run/data" / program,
-        folder_.path() / socket, holds_steps);
+        folder_.path() / socket,
+        config::NetworkConfig{.interface = "lo", .partition = "", .video = video}, nullptr,
+        holds_steps);
   }
   void Step() {
     world_->Tick(clock_.Now());
@@ -72,6 +77,25 @@ class CamerasTest : public test::MujocoTest {
         world_->robot(0).SetFault(component, kind, by < 0 ? nullptr : &by, {}, world_->time()));
   }
 
+  void StepAndPop(int steps) {
+    for (int i = 0; i < steps; ++i) {
+      Step();
+      if (cameras_->Front() != nullptr) cameras_->Pop();
+    }
+  }
+  void StartFilming() { Start("draws.py", "film", false, config::VideoSending::kJoined); }
+  // Steps until a frame of the back camera's video comes; its text.
+  std::string Film() {
+    std::vector<std::uint8_t> packet;
+    EXPECT_TRUE(test::Eventually([&] {
+      StepAndPop(20);
+      packet = reader_.Receive(0);
+      return !packet.empty();
+    }));
+    return packet.size() < 13 ? "" : std::string(packet.begin() + 13, packet.end());
+  }
+
+  const test::Joined reader_;
   config::Config config_ = test::FixtureConfig();
   test::FakePort port_;
   test::ManualClock clock_;
@@ -179,6 +203,38 @@ TEST_F(CamerasTest, ShowALookThatComesLaterALaterPicture) {
   const Picture seen = late.get();
   EXPECT_EQ(std::string(seen.jpeg->begin(), seen.jpeg->end()), "back 40 1.00 0.002");
   EXPECT_EQ(early.get().outcome, kDrawn);
+}
+
+TEST_F(CamerasTest, FilmWithTheFaultsOfTheirPictures) {
+  StartFilming();
+  EXPECT_THAT(Film(), testing::StartsWith("back 40 1.00 "));
+  Fault("camera.back", "dark", 0.75);
+  std::string last;
+  EXPECT_TRUE(test::Eventually([&] { return (last = Film()).starts_with("back 40 0.25 "); }));
+  Fault("camera.back", "frozen");
+  const std::string frozen = Film();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(Film(), frozen);
+  EXPECT_GE(cameras_->video(1).sent, 4U);
+  EXPECT_EQ(cameras_->video(0).sent, 0U);
+}
+
+TEST_F(CamerasTest, FilmNothingWhileTheCameraLosesItsPictures) {
+  StartFilming();
+  Film();
+  Fault("camera.back", "lossy", 1);
+  EXPECT_TRUE(test::Eventually([&] {
+    Step();
+    const bool lost = cameras_->Front() != nullptr && cameras_->Front()->outcome == kLost;
+    if (cameras_->Front() != nullptr) cameras_->Pop();
+    return lost;
+  }));
+  const auto sent = cameras_->video(1).sent;
+  StepAndPop(300);
+  EXPECT_EQ(cameras_->video(1).sent, sent);
+  while (!reader_.Receive(0).empty()) {
+  }
+  Fault("camera.back", "none");
+  EXPECT_THAT(Film(), testing::StartsWith("back 40 1.00 "));
 }
 
 TEST_F(CamerasTest, SayOnceWhyThereIsNoPicture) {

@@ -28,6 +28,7 @@ class FakeViews final : public CameraViews {
   FakeViews() : cameras_(2) {
     cameras_[0].name = "front";
     cameras_[0].service = "videohub";
+    cameras_[0].video_port = 1720;
     cameras_[1].name = "head";
     cameras_[1].width = 640;
   }
@@ -36,6 +37,9 @@ class FakeViews final : public CameraViews {
     const std::lock_guard lock(mutex_);
     asked_.emplace_back(camera, std::promise<Picture>());
     return asked_.back().second.get_future();
+  }
+  VideoCounts video(std::size_t camera) const noexcept override {
+    return {.sent = 10 + camera, .missed = 3, .unsent = 2};
   }
   const Bell& news() const noexcept override { return news_; }
 
@@ -128,6 +132,10 @@ TEST_F(ViewDeskTest, NamesTheCamerasAndTheNearestOne) {
   EXPECT_EQ(told[0]["service"], "videohub");
   EXPECT_EQ(told[1]["name"], "head");
   EXPECT_EQ(told[1]["width"], 640);
+  EXPECT_EQ(told[0]["video"]["port"], 1720);
+  EXPECT_EQ(told[1]["video"]["sent"], 11);
+  EXPECT_EQ(told[1]["video"]["missed"], 3);
+  EXPECT_EQ(told[1]["video"]["unsent_packets"], 2);
   const client::ControlReply reply = Look("haed").get();
   EXPECT_EQ(reply.status, 404u);
   EXPECT_THAT(reply.body, HasSubstr("did you mean 'head'?"));

@@ -27,7 +27,7 @@ def robot(play):
 
 def test_a_camera_is_listed_and_its_picture_saved_once(robot, understudy, tmp_path):
     listed = understudy("camera").stdout.split("\n")
-    assert listed[1].split() == ["head", "640x480", "none"]
+    assert listed[1].split() == ["head", "640x480", "none", "none"]
     file = tmp_path / "head.jpg"
     assert understudy("camera", "head", "--out", file).returncode == 0
     assert size_of(file.read_bytes()) == "640,480"

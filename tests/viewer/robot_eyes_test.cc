@@ -52,6 +52,27 @@ TEST(RobotEyesTest, RefusesACameraThatTheModelLacks) {
   EXPECT_THROW(eyes.See(camera, 1, BallAt(0)), ModelError);
 }
 
+TEST(RobotEyesTest, KeepsTheLastPictureOfEachCamera) {
+  RobotEyes eyes(BallModel(), "");
+  EXPECT_EQ(eyes.Last(Above()), nullptr);
+  const Image first = eyes.See(Above(), 1, BallAt(0));
+  ASSERT_NE(eyes.Last(Above()), nullptr);
+  EXPECT_EQ(eyes.Last(Above())->rgb, first.rgb);
+  eyes.See(Above(), 0.5, BallAt(4));
+  EXPECT_NE(eyes.Last(Above())->rgb, first.rgb);
+}
+
+TEST(RobotEyesTest, FilmsAsFramesOfWhichTheFirstStandsForItself) {
+  RobotEyes eyes(BallModel(), "");
+  const Image& picture = eyes.See(Above(), 1, BallAt(0));
+  const std::string whole = eyes.Film(Above(), picture, 0);
+  const std::string difference = eyes.Film(Above(), picture, 0.1);
+  const std::string parameters("\0\0\0\1\x67", 5);
+  EXPECT_TRUE(whole.starts_with(parameters));
+  EXPECT_FALSE(difference.starts_with(parameters));
+  EXPECT_LT(difference.size(), whole.size() / 2);
+}
+
 TEST(JpegTest, HasTheMarksOfAFile) {
   const Image grey{.width = 16, .height = 8, .rgb = std::vector<std::uint8_t>(384, 128)};
   const std::string jpeg = EncodeJpeg(grey, 90);

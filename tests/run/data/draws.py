@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Plays understudy-view, which draws what cameras see: a picture is the text CAMERA QUALITY LIGHT TIME-OF-THE-STATE.
-Its second argument is the file of the control socket: one is made there, and where it is "dark" there is no OpenGL."""
+"""Plays understudy-view, which draws what cameras see: a picture is the text CAMERA QUALITY LIGHT TIME-OF-THE-STATE, a
+frame of the video the same as a NAL unit. Its second argument is the file of the control socket: one is made there, and where it is "dark" there is no OpenGL."""
 
 import json
 import pathlib
@@ -18,8 +18,14 @@ def receive():
     return json.loads(talk.recv(struct.unpack("I", head)[0], socket.MSG_WAITALL)) if head else None
 
 
+last = {}
 while order := receive():
     state = receive()
-    picture = f"+{order['camera']} {order['quality']} {order['light']:.2f} {state['time']:.3f}"
-    reply = b"-no OpenGL" if place.name == "dark" else picture.encode()
+    picture = f"{order['camera']} {order['quality']} {order['light']:.2f} {state['time']:.3f}".encode()
+    if order["again"]:
+        picture = last.get(order["camera"], picture)
+    last[order["camera"]] = picture
+    jpeg = picture if order["jpeg"] else b""
+    frame = b"\0\0\1\x65" + picture if order["frame"] else b""
+    reply = b"-no OpenGL" if place.name == "dark" else b"+" + struct.pack("I", len(jpeg)) + jpeg + frame
     talk.sendall(struct.pack("I", len(reply)) + reply)
