@@ -14,7 +14,7 @@ namespace {
 
 #if mjVERSION_HEADER < 300
 // efc_AR and efc_AR_colind grow with the square of the rows. Solvers of the primal problem never
-// read them, and whoever reads them has written there in the same step.
+// read them, and those of the dual one write them first in each step.
 bool GrowsWithTheSquareOfRows(const mjData& data, const void* array) {
   return array == data.efc_AR || array == data.efc_AR_colind;
 }
