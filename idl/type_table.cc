@@ -6,6 +6,7 @@
 #include "idl/builtin_interfaces.h"
 #include "idl/geometry_msgs.h"
 #include "idl/hello_world.h"
+#include "idl/inspire.h"
 #include "idl/nav_msgs.h"
 #include "idl/sensor_msgs.h"
 #include "idl/std_msgs.h"
@@ -40,6 +41,9 @@ constexpr auto kMessageTypes = std::to_array<MessageType>({
      &geometry_msgs_msg_dds__TwistWithCovariance__desc},
     {"geometry_msgs::msg::dds_::Twist_", &geometry_msgs_msg_dds__Twist__desc},
     {"geometry_msgs::msg::dds_::Vector3_", &geometry_msgs_msg_dds__Vector3__desc},
+    {"inspire::inspire_hand_ctrl", &inspire_inspire_hand_ctrl_desc},
+    {"inspire::inspire_hand_state", &inspire_inspire_hand_state_desc},
+    {"inspire::inspire_hand_touch", &inspire_inspire_hand_touch_desc},
     {"nav_msgs::msg::dds_::MapMetaData_", &nav_msgs_msg_dds__MapMetaData__desc},
     {"nav_msgs::msg::dds_::OccupancyGrid_", &nav_msgs_msg_dds__OccupancyGrid__desc},
     {"nav_msgs::msg::dds_::Odometry_", &nav_msgs_msg_dds__Odometry__desc},

@@ -16,8 +16,8 @@ struct MessageType {
   const dds_topic_descriptor* descriptor;
 };
 
-// Every message type of unitree_sdk2, 73 of them, in ascending order of name, each once. Good
-// before main() too.
+// Every message type of unitree_sdk2, 73 of them, and three of Inspire's hands, in ascending order
+// of name, each once. Good before main() too.
 std::span<const MessageType> MessageTypes();
 
 // The type with exactly this name on the wire, or nullptr when the vendor has none of that name.

@@ -37,6 +37,7 @@ class NullPort : public wire::RobotPort {
     return std::ranges::any_of(rates_, [step](robot::Rate rate) { return rate.Due(step); });
   }
   void Publish(const robot::RobotState&, std::int64_t) override {}
+  bool ReadsTouch(std::int64_t) const override { return false; }
   bool ReadsLidar(wire::Content) const override { return false; }
   void PublishLidar(wire::Content, const robot::LidarReading&) override {}
   std::vector<std::string> topics() const override { return {}; }

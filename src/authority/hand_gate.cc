@@ -13,7 +13,8 @@ HandGate::HandGate(const robot::HandSpec& spec)
   if (law_->follows == robot::HandLaw::Follows::kMotors) return;
   for (const robot::MotorSpec& motor : spec.motors) {
     leads_.push_back({.start = {.enabled = law_->starts, .kp = motor.hold_kp, .kd = motor.hold_kd},
-                      .full_speed = motor.knee_speed});
+                      .full_speed = motor.knee_speed,
+                      .set_speed = motor.knee_speed});
     if (law_->starts) leads_.back().start.q = motor.span[0];
   }
   Restart();
@@ -27,8 +28,12 @@ robot::Refusal HandGate::Offer(const robot::RobotCommand& command, double t) {
   for (std::size_t i = 0; i < leads_.size(); ++i) {
     Lead& lead = leads_[i];
     const robot::MotorCommand& motor = command.motors[i];
-    const bool paced = law_->follows == robot::HandLaw::Follows::kGoalsAtSpeed;
     lead.from = current_.motors[i].q;
+    if (law_->follows == robot::HandLaw::Follows::kRegisters) {
+      SetRegisters(motor, &lead, &current_.motors[i]);
+      continue;
+    }
+    const bool paced = law_->follows == robot::HandLaw::Follows::kGoalsAtSpeed;
     lead.goal = motor.q;
     lead.speed = paced ? std::clamp(motor.dq, 0.0, lead.full_speed) : lead.full_speed;
     current_.motors[i].enabled = true;
@@ -38,6 +43,17 @@ robot::Refusal HandGate::Offer(const robot::RobotCommand& command, double t) {
     current_.motors[i].timed_out = false;
   }
   return robot::Refusal::kNone;
+}
+
+void HandGate::SetRegisters(const robot::MotorCommand& command, Lead* lead,
+                            robot::MotorCommand* followed) {
+  if (command.dq != robot::kNoVelocity)
+    lead->set_speed = std::clamp(command.dq, 0.0, lead->full_speed);
+  if (command.tau >= 0) followed->most = command.tau;
+  lead->speed = lead->set_speed;
+  if (command.q == robot::kNoPosition) return;
+  lead->goal = command.q;
+  followed->enabled = true;
 }
 
 void HandGate::FollowGoals(double t) {
@@ -71,6 +87,7 @@ void HandGate::Restart() {
     current_.motors[i] = lead.start;
     lead.from = lead.goal = lead.start.q;
     lead.speed = 0;
+    lead.set_speed = lead.full_speed;
   }
 }
 

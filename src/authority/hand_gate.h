@@ -19,7 +19,8 @@ namespace understudy::authority {
 //
 // Of a hand that follows goals (robot/hand_law.h) q of a command is a goal, and tau, kp and kd are
 // ignored: q of each motor goes there evenly, from 0 after a restart, and stays there however long
-// no command comes.
+// no command comes. Where it has registers, goal, speed and force of each motor stay until a
+// command has another; speed and force begin at their most (*assumed*).
 //
 // Motion services do not move hands, so commands are taken at any time.
 class HandGate {
@@ -47,7 +48,11 @@ class HandGate {
     double full_speed = 0;      // rad/s
     double from = 0, goal = 0;  // rad, at taken_at_ and in the end
     double speed = 0;           // rad/s
+    double set_speed = 0;       // rad/s, the register
   };
+  // Sets those registers of a motor that the command has.
+  static void SetRegisters(const robot::MotorCommand& command, Lead* lead,
+                           robot::MotorCommand* followed);
   // Sets `current_` to where the goals have led the motors at time t [s].
   void FollowGoals(double t);
 

@@ -70,8 +70,28 @@ void DescribeHandMotor(Archive& a, robot::MotorSpec& m) {
 }
 
 void DescribePad(Archive& a, robot::PadSpec& p) {
+  a.Key(UNDERSTUDY_NVP(p.site),
+        {"Box site of the model that it is: z leaves the skin, x goes along a row, y to the row "
+         "before. Without one it feels nothing"});
+  a.Key(UNDERSTUDY_NVP(p.rows), {"", {1, 16}, "Rows of cells"});
+  a.Key(UNDERSTUDY_NVP(p.columns), {"", {1, 16}, "Cells of a row"});
   a.Key(UNDERSTUDY_NVP(p.taxels),
-        {"", {0, 11}, "Indices in pressure of its taxels; the others show no value"});
+        {"", {0, 11}, "Of the law dex3: the cells that there are; the others show no value"});
+}
+
+void DescribeTouch(Archive& a, robot::TouchSpec& t) {
+  a.Key(UNDERSTUDY_NVP(t.hz),
+        {"Hz", {0, 10000}, "Rate of the messages of touch, with the law inspire_ftp"});
+  a.Key(UNDERSTUDY_NVP(t.counts_per_newton),
+        {"counts/N", kNotNegative, "What a cell shows of a contact that sits on its middle"});
+  a.Key(UNDERSTUDY_NVP(t.most_counts), {"counts", kNotNegative, "Most that it shows; 0 is any"});
+  a.Key(UNDERSTUDY_NVP(t.noise_counts),
+        {"counts", kNotNegative, "Standard deviation of the noise of a cell that feels something"});
+  a.Key(
+      UNDERSTUDY_NVP(t.spread),
+      {"m",
+       {0.0001, 0.1},
+       "Standard deviation of the bell that a contact makes on the pad (the default is assumed)"});
 }
 
 }  // namespace
@@ -163,14 +183,15 @@ void DescribeHand(Archive& a, robot::HandSpec& h) {
          "models. Not used where robot.model has the motors' joints"});
   a.Key(UNDERSTUDY_NVP(h.topic),
         {"Its topics are rt/<topic>/cmd, rt/<topic>/state and, with the law dex3, "
-         "rt/lf/<topic>/state"});
+         "rt/lf/<topic>/state; with the law inspire_ftp rt/<topic> with ctrl, state and touch for "
+         "its *"});
   a.Key(UNDERSTUDY_NVP(h.hz), {"Hz", {1, 10000}, "Rate of its states"});
   a.List(UNDERSTUDY_NVP(h.motors), {"Its motors, in the order of the messages"}, DescribeHandMotor);
   a.Key(UNDERSTUDY_NVP(h.slot), {"", {0, 15}, "Index in the messages of its first motor"});
   a.Key(UNDERSTUDY_NVP(h.slots),
         {"", {0, 16}, "How many motors the messages have; 0 is as many as it has"});
-  a.List(UNDERSTUDY_NVP(h.pads), {"Pressure sensors, in the order of press_sensor_state"},
-         DescribePad);
+  a.List(UNDERSTUDY_NVP(h.pads), {"Pressure sensors, in the order of the messages"}, DescribePad);
+  a.Section(UNDERSTUDY_NVP(h.touch), {"What the cells of those show"}, DescribeTouch);
   a.Key(UNDERSTUDY_NVP(h.timeout),
         {"s",
          {0.001, 3600},

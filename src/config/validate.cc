@@ -69,6 +69,8 @@ void CheckRates(const Config& config, const Checker& checker) {
   const std::vector<robot::HandSpec>& hands = config.robots[0].spec.hands;
   for (std::size_t i = 0; i < hands.size(); ++i) {
     divides(hands[i].hz, "robot.hands." + std::to_string(i) + ".hz");
+    if (hands[i].touch.hz > 0)
+      divides(hands[i].touch.hz, "robot.hands." + std::to_string(i) + ".touch.hz");
   }
   divides(rates.lf_hz, "robot.rates.lf_hz");
 }

@@ -81,8 +81,12 @@ void CheckSlots(const robot::RobotSpec& robot, const Checker& checker) {
   }
 }
 
-// Whether it may be part of a DDS topic's name: words between slashes.
-bool IsTopic(const std::string& topic) {
+// Whether it may be part of a DDS topic's name: words between slashes, one of them a `*` where the
+// law has several topics of the same form.
+bool IsTopic(std::string topic, bool with_star) {
+  const auto stars = std::ranges::count(topic, '*');
+  if (stars != (with_star ? 1 : 0)) return false;
+  std::ranges::replace(topic, '*', '_');
   const auto fits = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
   };
@@ -93,9 +97,14 @@ bool IsTopic(const std::string& topic) {
 void CheckHand(const robot::HandSpec& hand, const std::vector<robot::MotorTypeSpec>& types,
                const std::string& key, std::set<std::string>* joints, const Checker& checker) {
   checker.Check(!hand.name.empty(), key + "name", "expected a name");
-  checker.Check(IsTopic(hand.topic), key + "topic",
-                "expected words of letters, digits and _ between slashes, as in dex3/left, got '" +
-                    hand.topic + "'");
+  const robot::HandLaw& law = robot::LawOf(hand);
+  const bool registers = law.messages == robot::HandLaw::Messages::kRegisters;
+  checker.Check(IsTopic(hand.topic, registers), key + "topic",
+                "expected words of letters, digits and _ between slashes, as in " +
+                    std::string(registers ? "inspire_hand/*/l with its *" : "dex3/left") +
+                    ", got '" + hand.topic + "'");
+  checker.Check(!registers || hand.touch.hz > 0, key + "touch.hz",
+                "expected more than 0 Hz, as the law " + hand.law + " has messages of touch");
   checker.Check(!hand.motors.empty() && hand.motors.size() <= kHandMotors, key + "motors",
                 "expected 1 to " + std::to_string(kHandMotors) + ", got " +
                     std::to_string(hand.motors.size()));
@@ -104,7 +113,6 @@ void CheckHand(const robot::HandSpec& hand, const std::vector<robot::MotorTypeSp
   checker.Check(hand.slots == 0 ? hand.slot == 0 : hand.slot + motors <= hand.slots, key + "slots",
                 "expected room for " + std::to_string(motors) + " motors from slot " +
                     std::to_string(hand.slot) + " on, got " + std::to_string(hand.slots));
-  const robot::HandLaw& law = robot::LawOf(hand);
   if (law.follows == robot::HandLaw::Follows::kMotors) return;
   for (std::size_t i = 0; i < hand.motors.size(); ++i) {
     const robot::MotorSpec& motor = hand.motors[i];

@@ -54,7 +54,11 @@ class Hardware {
   void Act();
   void Sense();
   // Fills `state`, which has the sample before, but for tick_ms, remote and motion.
-  void Sample(robot::RobotState* state) { sensors_.Sample(instant(), state); }
+  void Sample(robot::RobotState* state, bool feels) {
+    sensors::Instant now = instant();
+    now.feels = feels;
+    sensors_.Sample(now, state);
+  }
 
   // Moves the joint of a motor of the body to `angle` [rad] until t = `until`, against its
   // commands.

@@ -68,6 +68,8 @@ class Computer {
   // Whether a message is due in the step.
   bool Due(std::int64_t step) const { return power_.computes() && ports_.topics->Due(step); }
   void Publish(std::int64_t step);
+  // Whether a message that is due in the step has what the pads of hands show, and is read.
+  bool ReadsTouch(std::int64_t step) const { return !silenced_ && ports_.topics->ReadsTouch(step); }
   // Whether the lidar's programs run, and whether one of them makes a content that is read.
   bool RunsLidar() const;
   bool WantsLidar(wire::Content content) const;

@@ -152,7 +152,9 @@ class Robot {
   }
   physics::Crane::Hooks hooks() const;
   std::string_view WhyNoJoints() const;
-  void Sample(std::int64_t step) { hardware_.Sample(computer_.BeginSample(step)); }
+  void Sample(std::int64_t step) {
+    hardware_.Sample(computer_.BeginSample(step), computer_.ReadsTouch(step));
+  }
   void StepFaults(double t);
   void ApplyFaults(double t);
   void SwitchOff();

@@ -168,6 +168,9 @@ robot::RobotSpec WithPrefix(const std::string& prefix, robot::RobotSpec spec) {
   for (robot::BodySpec& body : spec.bodies) Prepend(prefix, &body.name);
   for (robot::SiteSpec& site : spec.sites) Prepend(prefix, &site.name);
   for (robot::MotorSpec* motor : robot::AllMotors(spec)) Prepend(prefix, &motor->joint);
+  for (robot::HandSpec& hand : spec.hands) {
+    for (robot::PadSpec& pad : hand.pads) Prepend(prefix, &pad.site);
+  }
   for (robot::FootSpec& foot : spec.feet) {
     Prepend(prefix, &foot.name);  // joints of its side begin with it (physics/feet.h)
     for (std::string& geom : foot.geoms) Prepend(prefix, &geom);

@@ -10,6 +10,7 @@
 
 #include "mjcf/mujoco_handles.h"
 #include "physics/inertial_unit.h"
+#include "physics/touch.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
@@ -87,6 +88,9 @@ class RobotBody {
   // Computes the force of the contacts on each foot [N], in spec order: the component of their
   // normal forces along FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
+  // What the pads of its hands feel: Touch::Read and Touch::Forces.
+  void ReadTouch(std::span<float> cells) const { touch_.Read(*model_, *data_, cells); }
+  void HandForces(std::span<double> hands) const { touch_.Forces(*model_, *data_, hands); }
   double weight() const;  // N
   // The base's up in the frame of LowState's inertial unit at joint angles 0.
   const Eigen::Vector3d& imu_up() const { return imu_up_; }
@@ -128,6 +132,7 @@ class RobotBody {
   std::vector<JointFriction> friction_;      // in motor order, as the model has it
   std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
   std::vector<Eigen::Vector3d> foot_axis_;
+  Touch touch_;
   int base_body_ = 0;
   int base_q_ = -1, base_dq_ = -1;  // of the free joint; -1 where the base is fixed
   int clamp_ = -1;                  // the equality of the clamp; -1: none

@@ -179,7 +179,15 @@ void BindTruth(nb::module_& m) {
             t.robot.body().FootForces(force);
             return ArrayOf(force);
           },
-          kOwn, "N of the contacts, shape (feet,)");
+          kOwn, "N of the contacts, shape (feet,)")
+      .def_prop_ro(
+          "hand_force",
+          [](const Truth& t) {
+            std::vector<double> force(t.robot.spec().hands.size());
+            t.robot.body().HandForces(force);
+            return ArrayOf(force);
+          },
+          kOwn, "N of the contacts of the links with pads, shape (hands,); 0 for hands without");
 }
 
 // Compiles the robot's world anew, with what was drawn for it, for the package mujoco.

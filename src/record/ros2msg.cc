@@ -53,6 +53,9 @@ std::string TypeOnWire(std::string_view ros_type_name) {
   if (ros_type_name == "HelloWorldData/msg/Msg") return "HelloWorldData::Msg";
   const std::size_t at = ros_type_name.find("/msg/");
   if (at == std::string_view::npos) return {};
+  if (ros_type_name.starts_with("inspire/")) {
+    return "inspire::" + std::string(ros_type_name.substr(at + 5));
+  }
   return std::string(ros_type_name.substr(0, at)) +
          "::msg::dds_::" + std::string(ros_type_name.substr(at + 5)) + "_";
 }

@@ -20,8 +20,8 @@ struct MessageField {
 
 using MessageFields = std::vector<MessageField>;
 
-// Returns the 73 types by their ROS names. HelloWorldData::Msg, which is in no ROS package, is
-// HelloWorldData/msg/Msg.
+// Returns the types of idl/type_table.h by their ROS names. HelloWorldData::Msg, which is in no ROS
+// package, is HelloWorldData/msg/Msg, inspire::inspire_hand_ctrl inspire/msg/inspire_hand_ctrl.
 const std::map<std::string_view, MessageFields>& RosMessages();
 
 // "unitree_go::msg::dds_::LowState_" -> "unitree_go/msg/LowState".

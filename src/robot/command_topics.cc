@@ -1,12 +1,14 @@
 #include "robot/command_topics.h"
 
+#include "robot/hand_law.h"
+
 namespace understudy::robot {
 
 std::vector<std::string> CommandTopicNames(const RobotSpec& spec) {
   std::vector<std::string> topics(kCommandTopicNames.begin(), kCommandTopicNames.end());
   if (spec.arm_sdk.slots.empty()) topics[kArmSdkTopic].clear();
   if (!spec.user_lowcmd) topics[kUserLowCmdTopic].clear();
-  for (const HandSpec& hand : spec.hands) topics.push_back("rt/" + hand.topic + "/cmd");
+  for (const HandSpec& hand : spec.hands) topics.push_back(HandCommandTopic(hand));
   return topics;
 }
 

@@ -26,7 +26,9 @@ constexpr bool IsBodyCommandTopic(std::string_view topic) {
   return std::ranges::find(kCommandTopicNames, topic) != kCommandTopicNames.end();
 }
 // Of the hand of some robot (HandSpec::topic).
-constexpr bool IsHandCommandTopic(std::string_view topic) { return topic.ends_with("/cmd"); }
+constexpr bool IsHandCommandTopic(std::string_view topic) {
+  return topic.ends_with("/cmd") || topic.find("/ctrl/") != std::string_view::npos;
+}
 
 // Returns the topics of commands to a robot, by number; "" where it has none.
 std::vector<std::string> CommandTopicNames(const RobotSpec& spec);

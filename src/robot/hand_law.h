@@ -13,12 +13,14 @@
 namespace understudy::robot {
 
 struct HandLaw {
-  // Of the messages: HandCmd_ and HandState_ of hg, with a twin on rt/lf; or MotorCmds_ and
-  // MotorStates_ of go.
-  enum class Messages : std::uint8_t { kHand, kMotors };
+  // Of the messages: HandCmd_ and HandState_ of hg, with a twin on rt/lf; MotorCmds_ and
+  // MotorStates_ of go; or inspire_hand_ctrl, _state and _touch.
+  enum class Messages : std::uint8_t { kHand, kMotors, kRegisters };
   // Motors follow q, dq, tau, kp and kd. Or q is a goal, to which the hand's own controllers lead
-  // each motor at its knee_speed with hold_kp and hold_kd, or at dq of the command.
-  enum class Follows : std::uint8_t { kMotors, kGoals, kGoalsAtSpeed };
+  // each motor at its knee_speed with hold_kp and hold_kd, or at dq of the command. Of registers
+  // each of goal, speed dq and force tau is kept until a command has another one: kNoPosition,
+  // kNoVelocity and a tau below 0 are none.
+  enum class Follows : std::uint8_t { kMotors, kGoals, kGoalsAtSpeed, kRegisters };
 
   std::string_view name;  // robot.hands[].law
   Messages messages;
@@ -59,6 +61,13 @@ inline constexpr HandLaw kHandLaws[] = {
      .starts = true,
      .shows_motion = true,
      .counts_lost = false},
+    {.name = "inspire_ftp",
+     .messages = HandLaw::Messages::kRegisters,
+     .follows = HandLaw::Follows::kRegisters,
+     .watched = false,
+     .starts = false,
+     .shows_motion = false,
+     .counts_lost = false},
 };
 
 inline std::vector<std::string> HandLawNames() {
@@ -72,9 +81,27 @@ inline const HandLaw& LawOf(const HandSpec& spec) {
   return *std::ranges::find(kHandLaws, std::string_view(spec.law), &HandLaw::name);
 }
 
-// Whether its messages are MotorCmds_ and MotorStates_.
-inline bool HasMotorLists(const HandSpec& spec) {
-  return LawOf(spec).messages == HandLaw::Messages::kMotors;
+// Returns a topic of a hand: the word stands where its spec has a `*`, or behind a slash: "cmd" and
+// "state" of most hands, "ctrl", "state" and "touch" of those with registers.
+inline std::string HandTopic(const HandSpec& spec, std::string_view word) {
+  const std::size_t at = spec.topic.find('*');
+  if (at == std::string::npos) return "rt/" + spec.topic + "/" + std::string(word);
+  return "rt/" + spec.topic.substr(0, at) + std::string(word) + spec.topic.substr(at + 1);
+}
+
+// Returns its topic of commands.
+inline std::string HandCommandTopic(const HandSpec& spec) {
+  return HandTopic(spec, LawOf(spec).messages == HandLaw::Messages::kRegisters ? "ctrl" : "cmd");
+}
+
+inline std::size_t CellsOf(const PadSpec& pad) {
+  return static_cast<std::size_t>(pad.rows) * static_cast<std::size_t>(pad.columns);
+}
+// Returns how many cells all pads of a hand have.
+inline std::size_t CellsOf(const HandSpec& spec) {
+  std::size_t cells = 0;
+  for (const PadSpec& pad : spec.pads) cells += CellsOf(pad);
+  return cells;
 }
 
 // Returns how many motors its messages have.

@@ -45,7 +45,7 @@ double DesiredTorque(const MotorCommand& command, double q, double dq) {
   double tau = command.tau;
   if (command.q != kNoPosition) tau += command.kp * (command.q - q);
   if (command.dq != kNoVelocity) tau += command.kd * (command.dq - dq);
-  return tau;
+  return std::clamp(tau, -command.most, command.most);
 }
 
 double AvailableTorque(const TorqueCurve& curve, double tau, double dq, double volts, double heat) {

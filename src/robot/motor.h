@@ -21,8 +21,9 @@ namespace understudy::robot {
 //   tau + kp (q_des - q) + kd (dq_des - dq)
 //
 // (unitree_sdk2 example/h1/README; confirmed to 1 % by logs of a real G1,
-// docs/dev/sources.md#motor-law.) kNoPosition and kNoVelocity omit their term. A disabled motor has
-// torque 0. NaN gives NaN, but CommandGate refuses it before.
+// docs/dev/sources.md#motor-law.) kNoPosition and kNoVelocity omit their term. It is at most
+// command.most, either way. A disabled motor has torque 0. NaN gives NaN, but CommandGate refuses
+// it before.
 double DesiredTorque(const MotorCommand& command, double q, double dq);
 
 // Returns the angle [rad] that a motor follows in place of a commanded one: kept within `clamp`,

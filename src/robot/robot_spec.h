@@ -136,9 +136,22 @@ struct BoardSpec {
   double time_constant = 120;  // s
 };
 
-// A pressure sensor of a hand.
+// A pressure sensor of a hand: rows of cells on one of its links.
 struct PadSpec {
-  std::vector<int> taxels{};  // indices of its taxels among the message's 12
+  // MJCF site whose z axis leaves the skin; x goes along a row, y from a row to the one before it.
+  // A box: its half lengths are those of the sensor. "": the sensor feels nothing.
+  std::string site{};
+  int rows = 3, columns = 4;
+  std::vector<int> taxels{};  // of a Dex3-1: those of the 12 cells that there are
+};
+
+// What the cells of a hand's pads show.
+struct TouchSpec {
+  double hz = 0;                 // of its messages, where it has some of their own
+  double counts_per_newton = 0;  // of the cell on which a contact sits
+  double most_counts = 0;        // that a cell can show; 0: any
+  double noise_counts = 0;       // standard deviation of a cell that feels something
+  double spread = 0.002;         // m, standard deviation of the bell that a contact makes
 };
 
 // A hand with motors and topics, or two that share them.
@@ -146,13 +159,14 @@ struct HandSpec {
   std::string name{};                 // "left"
   std::string law = "dex3";           // a row of kHandLaws, robot/hand_law.h
   std::vector<std::string> models{};  // MJCF of wrists with hands: absolute, else below models/
-  std::string topic{};                // between rt/ and /cmd, /state; rt/lf/ and /state
+  std::string topic{};                // as HandTopic in robot/hand_law.h takes it
   double hz = 500;                    // of its states
   // In the order of the messages. The index there is the id in the mode byte.
   std::vector<MotorSpec> motors{};
   int slot = 0;                 // of its first motor in the messages
   int slots = 0;                // of the messages; 0: as many as it has motors
-  std::vector<PadSpec> pads{};  // in the order of press_sensor_state
+  std::vector<PadSpec> pads{};  // in the order of the messages
+  TouchSpec touch{};            // of the pads
   double timeout = 1;           // s without a command after which watched motors lock
   double temperature_c = 0;     // of the pads
   double supply_v = 0;          // V, supply voltage

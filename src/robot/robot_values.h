@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,8 @@ struct MotorCommand {
   double kd = 0;           // N·m·s/rad
   bool watched = false;    // of a hand: locks when commands stop
   bool timed_out = false;  // of a hand: has locked because commands stopped
+  // N·m that the motor gives at most, either way, by a limit that its hand's program has set.
+  double most = std::numeric_limits<double>::infinity();
   JointSpace space = JointSpace::kPitchRoll;
 
   friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
@@ -65,9 +68,11 @@ struct RobotCommand {
 // The reading of one motor. Joint side, signs as in MotorCommand.
 struct MotorReading {
   bool enabled = false;
-  bool timed_out = false;      // of a hand: has locked because commands stopped
-  double q = 0;                // rad
-  double dq = 0;               // rad/s
+  bool timed_out = false;  // of a hand: has locked because commands stopped
+  double led_dq = 0;       // rad/s, of a hand that follows goals: as it is led there
+  double most = std::numeric_limits<double>::infinity();  // N·m, as MotorCommand has it
+  double q = 0;                                           // rad
+  double dq = 0;                                          // rad/s
   double tau = 0;              // N·m, of the motor, before joint friction
   double casing_c = 0;         // degrees Celsius
   double winding_c = 0;        // degrees Celsius
@@ -176,6 +181,8 @@ struct RobotState {
   ImuReading imu;                                   // of LowState
   ImuReading secondary_imu;                         // if the robot has one
   std::vector<double> foot_force;                   // N, as read, in RobotSpec::feet order
+  // Counts of all cells of all pads, by hand, pad and row; as old as the last message with them.
+  std::vector<float> touch;
   BatteryReading battery;
   BoardReading board;
   BaseReading base;

@@ -21,7 +21,7 @@ void Printer::Visit(const Field& field, const Slot& slot) {
       text_ += Indent() + name + ": " + ValueText(field, slot) + "\n";
       return;
     case Mode::kElement:
-      element_ += (element_.empty() ? "" : ", ") + name + ": " + ValueText(field, slot);
+      element_ += Comma() + name + ": " + ValueText(field, slot);
       return;
     case Mode::kElementComment:
       Comment(name + ": ", field, Allowed(field));
@@ -51,7 +51,7 @@ void Printer::VisitList(const Field& field, const ListSlot& slot) {
       for (std::size_t i = 0; i < slot.size(); ++i) {
         list += (list.empty() ? "" : ", ") + Element(slot, i);
       }
-      element_ += (element_.empty() ? "" : ", ") + std::string(field.key) + ": [" + list + "]";
+      element_ += Comma() + std::string(field.key) + ": [" + list + "]";
       return;
     }
     case Mode::kElementComment:
@@ -70,10 +70,23 @@ std::string Printer::Element(const ListSlot& slot, std::size_t i) {
 }
 
 bool Printer::Enter(const Field& field, std::string_view) {
-  Comment("", field, "");
-  text_ += Indent() + std::string(field.key) + ":\n";
+  if (mode_ == Mode::kElement) {
+    element_ += Comma() + std::string(field.key) + ": {";
+    return true;
+  }
+  const bool line = mode_ == Mode::kLine;
+  Comment(line ? "" : std::string(field.key) + ": ", field, "");
+  if (line) text_ += Indent() + std::string(field.key) + ":\n";
   ++depth_;
   return true;
+}
+
+void Printer::Leave() {
+  if (mode_ == Mode::kElement) {
+    element_ += "}";
+  } else {
+    --depth_;
+  }
 }
 
 }  // namespace understudy::schema

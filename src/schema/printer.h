@@ -8,7 +8,7 @@
 
 namespace understudy::schema {
 
-// Prints a list of structs one line per element, including the lists within it. With comments, it
+// Prints a list of structs one line per element, including the lists and sections within it. With comments, it
 // adds meaning, unit and range above each key, and once above a list for all its elements.
 class Printer : public Archive {
  public:
@@ -20,13 +20,15 @@ class Printer : public Archive {
   void Visit(const Field& field, const Slot& slot) override;
   void VisitList(const Field& field, const ListSlot& slot) override;
   bool Enter(const Field& field, std::string_view scalar_key) override;
-  void Leave() override { --depth_; }
+  void Leave() override;
 
  private:
   // What Visit writes: a line, an entry of a list element's line, or a comment on that entry.
   enum class Mode { kLine, kElement, kElementComment };
 
   std::string Indent() const { return std::string(2 * depth_, ' '); }
+  // What stands before the next entry of a list element's line.
+  std::string Comma() const { return element_.empty() || element_.back() == '{' ? "" : ", "; }
   void Comment(const std::string& of, const Field& field, const std::string& allowed);
   std::string Element(const ListSlot& slot, std::size_t i);  // in braces
 

@@ -19,6 +19,7 @@ enum Stream : std::uint64_t {
   kLidarStream = 8,
   kLidarDirtStream = 9,
   kLidarImuStream = 10,
+  kTouchStream = 11,
 };
 
 // Returns a number with mean 0 and standard deviation 1, at most 3.5 in magnitude, of 64 random

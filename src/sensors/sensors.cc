@@ -31,11 +31,13 @@ Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec, doubl
       motors_(robot::AllMotors(spec)),
       resolutions_(motors_.size()),
       foot_force_(spec.feet.size()),
+      touch_force_(TouchSensors(config, spec.hands).cells()),
       imu_(config, spec.imu, "imu", kImuStream, dt),
       secondary_imu_(config, spec.imu, "secondary_imu", kSecondaryImuStream, dt),
       odometer_(config, dt),
       legs_(config),
       feet_(config, spec.feet, dt),
+      touch_(config, spec.hands),
       windings_(config, JointsOf(spec), dt),
       casings_(config, JointsOf(spec), dt),
       body_(config.seed, kBodyStream),
@@ -61,6 +63,7 @@ void Sensors::Apply(const SensorConfig& config) {
   odometer_.Apply(config);
   legs_.Apply(config);
   feet_.Apply(config);
+  touch_.Apply(config);
   windings_.Apply(config);
   casings_.Apply(config);
 }
@@ -113,6 +116,8 @@ void Sensors::Sample(const Instant& instant, robot::RobotState* state) {
     }
     reading.enabled = command.enabled;
     reading.timed_out = command.timed_out;
+    reading.led_dq = command.dq;
+    reading.most = command.most;
     reading.q = Sampled(q[i], resolution.q, noise);
     reading.dq = Sampled(dq[i], resolution.dq, noise);
     reading.tau = Sampled(torque[i], resolution.tau, noise);
@@ -141,11 +146,19 @@ void Sensors::Sample(const Instant& instant, robot::RobotState* state) {
     if (fault.stuck) continue;
     state->foot_force[i] = fault.share * feet_.Read(i, foot_force_) + fault.offset;
   }
+  Feel(instant, state);
   state->battery = instant.battery.reading();
   state->board = instant.board.reading();
   state->base = instant.robot.base();
   state->odometry = odometer_.reading();
   state->leg_odometry = legs_.Read(*state);
+}
+
+void Sensors::Feel(const Instant& instant, robot::RobotState* state) {
+  state->touch.resize(touch_.cells());
+  if (!instant.feels || touch_.cells() == 0) return;
+  instant.robot.ReadTouch(touch_force_);
+  touch_.Read(touch_force_, state->tick_ms, state->touch);
 }
 
 double Sensors::Sampled(double truth, const Resolution& resolution, Noise* noise) {

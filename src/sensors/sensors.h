@@ -19,6 +19,7 @@
 #include "sensors/odometer.h"
 #include "sensors/sensor_config.h"
 #include "sensors/thermometers.h"
+#include "sensors/touch_sensors.h"
 
 namespace understudy::sensors {
 
@@ -35,6 +36,7 @@ struct Instant {
   const robot::Battery& battery;
   const robot::Board& board;
   const robot::Effects& faults;
+  bool feels = true;  // whether somebody reads what the pads of hands show
 };
 
 // The robot's sensors. Call Restart first, Step in every physics step, and Sample after it when a
@@ -57,7 +59,8 @@ class Sensors {
   // differ. Allocates nothing.
   void Apply(const SensorConfig& config);
   void Step(const Instant& instant);
-  // Fills `state`, which has the previous sample. Leaves its tick_ms, remote and motion.
+  // Fills `state`, which has the previous sample. Leaves its tick_ms, remote and motion, and its
+  // touch where nobody reads it.
   void Sample(const Instant& instant, robot::RobotState* state);
 
  private:
@@ -71,17 +74,20 @@ class Sensors {
   };
 
   void ApplyNoise(const SensorConfig& config);
+  void Feel(const Instant& instant, robot::RobotState* state);
   static double Sampled(double truth, const Resolution& resolution, Noise* noise);
 
   const robot::RobotSpec& spec_;
   std::vector<const robot::MotorSpec*> motors_;
   std::vector<MotorResolution> resolutions_;
   std::vector<double> foot_force_;  // N
+  std::vector<float> touch_force_;  // N, by cell
   ImuUnit imu_, secondary_imu_;
   robot::ImuReading told_imu_;  // of LowState, of the last step
   Odometer odometer_;
   LegOdometer legs_;
   FootSensors feet_;
+  TouchSensors touch_;
   Thermometers windings_, casings_;
   Noise body_, hands_;
 };

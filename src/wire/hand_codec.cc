@@ -51,13 +51,16 @@ robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::
 
 HandStateMessage::HandStateMessage(const robot::HandSpec& spec)
     : motors_(spec.motors.size()), pads_(spec.pads.size()) {
+  std::size_t first = 0;
   for (std::size_t i = 0; i < pads_.size(); ++i) {
     std::ranges::fill(pads_[i].pressure, kNoTaxel);
     for (const double taxel : spec.pads[i].taxels) {
       const auto t = static_cast<std::size_t>(taxel);
       std::span(pads_[i].pressure)[t] = kUntouched;
       std::span(pads_[i].temperature)[t] = static_cast<float>(spec.temperature_c);
+      taxels_.push_back({.pad = i, .place = t, .cell = first + t});
     }
+    first += robot::CellsOf(spec.pads[i]);
   }
   message_.power_v = static_cast<float>(spec.supply_v);
 }
@@ -75,6 +78,13 @@ void HandStateMessage::Encode(std::span<const robot::MotorReading> reading) {
     wire.temperature[0] = Rounded<std::int16_t>(motor.casing_c);
     wire.temperature[1] = Rounded<std::int16_t>(motor.winding_c);
     wire.motorstate = ErrorsOf(motor, kHgMotorErrors);
+  }
+}
+
+void HandStateMessage::EncodeTouch(std::span<const float> counts) {
+  for (const Taxel& taxel : taxels_) {
+    if (taxel.cell >= counts.size()) break;
+    std::span(pads_[taxel.pad].pressure)[taxel.place] = kUntouched + counts[taxel.cell];
   }
 }
 

@@ -38,13 +38,17 @@ class HandStateMessage {
   // Sets what never changes, ids, pads and power_v; all else is 0.
   //
   // The taxels of a pad are `kUntouched`, the others `kNoTaxel` (Dex3-1 page: 30000 is no value,
-  // valid ones start at 100000). That an untouched taxel has the least valid value is *assumed*;
-  // contacts are not modelled. imu_state stays 0, as no unit is known; power_a, system_v, device_v
+  // valid ones start at 100000). That an untouched taxel has the least valid value is *assumed*.
+  // imu_state stays 0, as no unit is known; power_a, system_v, device_v
   // and errors are not modelled and stay 0.
   explicit HandStateMessage(const robot::HandSpec& spec);
 
   // Encodes the readings of its motors, in their order; ignores further ones.
   void Encode(std::span<const robot::MotorReading> reading);
+
+  // Encodes what the cells of its pads show, in their order; ignores further ones. That counts add
+  // to kUntouched is *assumed*, as is their scale (config/hands/dex3.yaml).
+  void EncodeTouch(std::span<const float> counts);
 
   // Returns the message, whose sequences are of this object and valid as long as it is.
   unitree_hg_msg_dds__HandState_ message();
@@ -53,8 +57,14 @@ class HandStateMessage {
   static constexpr float kNoTaxel = 30000;
 
  private:
+  struct Taxel {
+    std::size_t pad = 0, place = 0;  // in the message
+    std::size_t cell = 0;            // among those of the hand
+  };
+
   std::vector<unitree_hg_msg_dds__MotorState_> motors_;
   std::vector<unitree_hg_msg_dds__PressSensorState_> pads_;
+  std::vector<Taxel> taxels_;
   unitree_hg_msg_dds__HandState_ message_{};
 };
 

@@ -13,6 +13,7 @@
 #include "wire/imu_codec.h"
 #include "wire/motion_codec.h"
 #include "wire/port.h"
+#include "wire/register_codec.h"
 #include "wire/slots.h"
 #include "wire/topics.h"
 
@@ -28,18 +29,21 @@ void CheckFits(const robot::HandSpec& spec) {
   constexpr double kTaxels = std::size(unitree_hg_msg_dds__PressSensorState_{}.pressure);
   for (const robot::PadSpec& pad : spec.pads) {
     for (const int taxel : pad.taxels) {
-      if (taxel >= 0 && taxel < kTaxels) continue;
-      throw ModelError("hand " + spec.name + " has a pad with a taxel beyond 0..11");
+      if (taxel >= 0 && taxel < kTaxels && taxel < static_cast<int>(robot::CellsOf(pad))) continue;
+      throw ModelError("hand " + spec.name + " has a pad with a taxel beyond 0..11, or its cells");
     }
   }
+}
+
+// What the cells from the first one on show; nothing before the first sample.
+std::span<const float> TouchFrom(const robot::RobotState& state, std::size_t first) {
+  return std::span(state.touch).subspan(std::min(first, state.touch.size()));
 }
 
 }  // namespace
 
 void Port::HearHg() {
   using LowCmd = unitree_hg_msg_dds__LowCmd_;
-  using HandCmd = unitree_hg_msg_dds__HandCmd_;
-  using MotorCmds = unitree_go_msg_dds__MotorCmds_;
   CheckFits(spec_, kHgMotorSlots, kHgCells);
 
   Hear(robot::kLowCmdTopic, kHgLowCmd, [this](const LowCmd& message, robot::RobotCommand* command) {
@@ -53,17 +57,30 @@ void Port::HearHg() {
   if (spec_.user_lowcmd) Hear(robot::kUserLowCmdTopic, kUserLowCmd, decode_unsigned);
   const std::vector<RobotTopic> topics = CommandTopics(spec_);
   for (std::size_t hand = 0; hand < spec_.hands.size(); ++hand) {
-    const robot::HandSpec& spec = spec_.hands[hand];
-    const std::size_t number = robot::kFirstHandTopic + hand;
-    const auto decode = [&spec](const auto& message, robot::RobotCommand* command) {
-      return Decode(message, spec, command);
-    };
-    const char* const name = topics[number].name.c_str();
-    if (robot::HasMotorLists(spec)) {
-      Hear(number, bus::Topic<MotorCmds>{name, &unitree_go_msg_dds__MotorCmds__desc}, decode);
-    } else {
+    HearHand(hand, topics[robot::kFirstHandTopic + hand].name);
+  }
+}
+
+void Port::HearHand(std::size_t hand, const std::string& topic) {
+  using HandCmd = unitree_hg_msg_dds__HandCmd_;
+  using MotorCmds = unitree_go_msg_dds__MotorCmds_;
+  const robot::HandSpec& spec = spec_.hands[hand];
+  const std::size_t number = robot::kFirstHandTopic + hand;
+  const auto decode = [&spec](const auto& message, robot::RobotCommand* command) {
+    return Decode(message, spec, command);
+  };
+  const char* const name = topic.c_str();
+  switch (robot::LawOf(spec).messages) {
+    case robot::HandLaw::Messages::kHand:
       Hear(number, bus::Topic<HandCmd>{name, &unitree_hg_msg_dds__HandCmd__desc}, decode);
-    }
+      break;
+    case robot::HandLaw::Messages::kMotors:
+      Hear(number, bus::Topic<MotorCmds>{name, &unitree_go_msg_dds__MotorCmds__desc}, decode);
+      break;
+    case robot::HandLaw::Messages::kRegisters:
+      Hear(number, bus::Topic<inspire_inspire_hand_ctrl>{name, &inspire_inspire_hand_ctrl_desc},
+           decode);
+      break;
   }
 }
 
@@ -93,6 +110,8 @@ std::unique_ptr<Publication> Port::OpenHg(const StateMessage& message) {
           [](const robot::RobotState&, unitree_hg_msg_dds__MainBoardState_*) { return true; });
     case Content::kHand:
       return OpenHand(message);
+    case Content::kTouch:
+      return OpenTouch(message);
     case Content::kFsm:  // while a motion service is on
       return Open<unitree_hg_msg_dds__SportModeState_>(
           message, [](const robot::RobotState& state, unitree_hg_msg_dds__SportModeState_* sent) {
@@ -125,10 +144,40 @@ std::unique_ptr<Publication> Port::OpenHand(const StateMessage& message) {
       return true;
     };
   };
-  if (robot::HasMotorLists(spec)) {
-    return Open<unitree_go_msg_dds__MotorStates_>(message, encode(MotorStatesMessage(spec)));
+  switch (robot::LawOf(spec).messages) {
+    case robot::HandLaw::Messages::kMotors:
+      return Open<unitree_go_msg_dds__MotorStates_>(message, encode(MotorStatesMessage(spec)));
+    case robot::HandLaw::Messages::kRegisters:
+      return Open<inspire_inspire_hand_state>(message, encode(RegisterStateMessage(spec)));
+    case robot::HandLaw::Messages::kHand:
+      break;
   }
-  return Open<unitree_hg_msg_dds__HandState_>(message, encode(HandStateMessage(spec)));
+  const std::size_t first_cell = FirstCell(message.hand);
+  return Open<unitree_hg_msg_dds__HandState_>(
+      message, [first_motor, first_cell, encoder = HandStateMessage(spec)](
+                   const robot::RobotState& state, unitree_hg_msg_dds__HandState_* sent) mutable {
+        encoder.Encode(std::span(state.motors).subspan(first_motor));
+        encoder.EncodeTouch(TouchFrom(state, first_cell));
+        *sent = encoder.message();
+        return true;
+      });
+}
+
+std::unique_ptr<Publication> Port::OpenTouch(const StateMessage& message) {
+  return Open<inspire_inspire_hand_touch>(
+      message,
+      [first_cell = FirstCell(message.hand), encoder = TouchMessage(spec_.hands[message.hand])](
+          const robot::RobotState& state, inspire_inspire_hand_touch* sent) mutable {
+        encoder.Encode(TouchFrom(state, first_cell));
+        *sent = encoder.message();
+        return true;
+      });
+}
+
+std::size_t Port::FirstCell(std::size_t hand) const {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < hand; ++i) first += robot::CellsOf(spec_.hands[i]);
+  return first;
 }
 
 }  // namespace understudy::wire

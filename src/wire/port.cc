@@ -3,10 +3,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot/hand_law.h"
 #include "wire/motion_codec.h"
 #include "wire/remote_codec.h"
 
 namespace understudy::wire {
+namespace {
+
+bool HasTouch(const robot::RobotSpec& spec, const StateMessage& message) {
+  return message.content == Content::kTouch ||
+         (message.content == Content::kHand && !spec.hands[message.hand].pads.empty() &&
+          robot::LawOf(spec.hands[message.hand]).messages == robot::HandLaw::Messages::kHand);
+}
+
+}  // namespace
 
 Port::Port(const bus::Participant& participant, const robot::RobotSpec& spec, double timestep)
     : participant_(participant),
@@ -21,6 +31,7 @@ Port::Port(const bus::Participant& participant, const robot::RobotSpec& spec, do
   go ? HearGo() : HearHg();
   for (const StateMessage& message : StateMessages(spec)) {
     publications_.push_back(go ? OpenGo(message) : OpenHg(message));
+    if (HasTouch(spec, message)) with_touch_.push_back(publications_.back().get());
   }
   lidar_.emplace(spec, &outlets_);
   states_ = outlets_.size();
@@ -87,6 +98,10 @@ std::vector<const bus::ReaderCore*> Port::readers() const {
 
 bool Port::Due(std::int64_t step) const {
   return std::ranges::any_of(publications_, [step](const auto& p) { return p->Due(step); });
+}
+
+bool Port::ReadsTouch(std::int64_t step) const {
+  return std::ranges::any_of(with_touch_, [step](const auto* p) { return p->Wanted(step); });
 }
 
 void Port::Publish(const robot::RobotState& state, std::int64_t step) {

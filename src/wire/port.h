@@ -43,6 +43,7 @@ class Port final : public RobotPort {
   void Clear() override;
   bool Due(std::int64_t step) const override;
   void Publish(const robot::RobotState& state, std::int64_t step) override;
+  bool ReadsTouch(std::int64_t step) const override;
   bool ReadsLidar(Content content) const override { return lidar_->Reads(content); }
   void PublishLidar(Content content, const robot::LidarReading& reading) override {
     lidar_->Publish(content, reading);
@@ -75,6 +76,9 @@ class Port final : public RobotPort {
   std::unique_ptr<Publication> OpenGo(const StateMessage& message);
   std::unique_ptr<Publication> OpenHg(const StateMessage& message);
   std::unique_ptr<Publication> OpenHand(const StateMessage& message);
+  std::size_t FirstCell(std::size_t hand) const;  // of a hand in RobotState::touch
+  std::unique_ptr<Publication> OpenTouch(const StateMessage& message);
+  void HearHand(std::size_t hand, const std::string& topic);
   // Of a message that both families have with the same type.
   std::unique_ptr<Publication> OpenShared(const StateMessage& message);
 
@@ -96,6 +100,7 @@ class Port final : public RobotPort {
   std::vector<Source> sources_;  // by number
   Outlets outlets_;
   std::vector<std::unique_ptr<Publication>> publications_;
+  std::vector<const Publication*> with_touch_;  // of publications_
   std::optional<LidarOutlets> lidar_;           // behind those of the states
   std::size_t states_ = 0;                      // how many of outlets_ are those of states, lidar
   std::uint64_t told_failures_ = 0;             // of outlets_

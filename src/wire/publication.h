@@ -17,6 +17,8 @@ class Publication {
 
   // Returns whether one of its topics is due in that step.
   virtual bool Due(std::int64_t step) const = 0;
+  // Returns whether one of those that are due in that step has a reader.
+  virtual bool Wanted(std::int64_t step) const = 0;
   // Sends the message on the topics that are due in that step and have readers. Never blocks or
   // throws, and does not allocate after the first few calls.
   virtual void Publish(const robot::RobotState& state, std::int64_t step) = 0;
@@ -36,6 +38,11 @@ class MessagePublication final : public Publication {
 
   bool Due(std::int64_t step) const override {
     return std::ranges::any_of(outlets_, [step](const auto* one) { return one->Due(step); });
+  }
+
+  bool Wanted(std::int64_t step) const override {
+    return std::ranges::any_of(
+        outlets_, [step](const auto* one) { return one->Due(step) && one->has_readers(); });
   }
 
   void Publish(const robot::RobotState& state, std::int64_t step) override {

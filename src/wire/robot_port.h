@@ -55,6 +55,8 @@ class RobotPort {
   // Sends the messages that are due in that step. `joint_space` of the state is the space in which
   // parallel pairs are reported.
   virtual void Publish(const robot::RobotState& state, std::int64_t step) = 0;
+  // Returns whether one of them has what the pads of hands show, and is read.
+  virtual bool ReadsTouch(std::int64_t step) const = 0;
   // Returns whether somebody reads that content of the lidar, so that it must be made.
   virtual bool ReadsLidar(Content content) const = 0;
   virtual void PublishLidar(Content content, const robot::LidarReading& reading) = 0;

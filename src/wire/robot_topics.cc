@@ -16,7 +16,9 @@ namespace {
 
 constexpr TopicName kAll[] = {
 #define UNDERSTUDY_TOPIC(constant, name, module, type) topic::constant,
+#define UNDERSTUDY_PLAIN_TOPIC UNDERSTUDY_TOPIC
 #include "wire/topic_list.inc"
+#undef UNDERSTUDY_PLAIN_TOPIC
 #undef UNDERSTUDY_TOPIC
 };
 
@@ -28,6 +30,19 @@ constexpr std::string_view kServices = "rt/api/", kRequest = "/request", kRespon
 
 RobotTopic Topic(const TopicName& topic, double hz = 0) {
   return {std::string(topic.name), topic.type, hz};
+}
+
+// The types of a hand's messages, by HandLaw::Messages.
+struct HandTypes {
+  std::string_view command, state;
+};
+constexpr HandTypes kHandTypes[] = {
+    {topic::kLeftDex3Cmd.type, topic::kLeftDex3State.type},
+    {topic::kInspireCmd.type, topic::kInspireState.type},
+    {topic::kLeftFtpCtrl.type, topic::kLeftFtpState.type},
+};
+const HandTypes& TypesOfHand(const robot::HandSpec& hand) {
+  return kHandTypes[static_cast<std::size_t>(robot::LawOf(hand).messages)];
 }
 
 constexpr std::string_view kConfig = "config";  // the service that publishes its changes
@@ -58,12 +73,11 @@ std::vector<RobotTopic> CommandTopics(const robot::RobotSpec& spec) {
   const bool go = spec.family == robot::WireFamily::kGo;
   std::vector<RobotTopic> topics;
   for (const std::string& name : robot::CommandTopicNames(spec)) {
-    const TopicName& topic =
-        topics.size() < robot::kFirstHandTopic ? (go ? topic::kGoLowCmd : topic::kHgLowCmd)
-        : robot::HasMotorLists(spec.hands[topics.size() - robot::kFirstHandTopic])
-            ? topic::kInspireCmd
-            : topic::kLeftDex3Cmd;
-    topics.push_back({name, topic.type});
+    const std::size_t number = topics.size();
+    topics.push_back({name, number >= robot::kFirstHandTopic
+                                ? TypesOfHand(spec.hands[number - robot::kFirstHandTopic]).command
+                            : go ? topic::kGoLowCmd.type
+                                 : topic::kHgLowCmd.type});
   }
   return topics;
 }
@@ -103,12 +117,23 @@ std::vector<StateMessage> StateMessages(const robot::RobotSpec& spec) {
   add(Content::kMainBoard, topic::kLfMainBoardState, rates.lf_hz);
   for (std::size_t i = 0; i < spec.hands.size(); ++i) {
     const robot::HandSpec& hand = spec.hands[i];
-    const std::string name = hand.topic + "/state";
-    const bool lists = robot::HasMotorLists(hand);
-    const std::string_view type = (lists ? topic::kInspireState : topic::kLeftDex3State).type;
-    messages.push_back(
-        {.content = Content::kHand, .topics = {{"rt/" + name, type, hand.hz}}, .hand = i});
-    if (!lists) messages.back().topics.push_back({"rt/lf/" + name, type, rates.lf_hz});
+    const std::string_view type = TypesOfHand(hand).state;
+    messages.push_back({.content = Content::kHand,
+                        .topics = {{robot::HandTopic(hand, "state"), type, hand.hz}},
+                        .hand = i});
+    switch (robot::LawOf(hand).messages) {
+      case robot::HandLaw::Messages::kHand:
+        messages.back().topics.push_back({"rt/lf/" + hand.topic + "/state", type, rates.lf_hz});
+        break;
+      case robot::HandLaw::Messages::kMotors:
+        break;
+      case robot::HandLaw::Messages::kRegisters:
+        messages.push_back({.content = Content::kTouch,
+                            .topics = {{robot::HandTopic(hand, "touch"), topic::kLeftFtpTouch.type,
+                                        hand.touch.hz}},
+                            .hand = i});
+        break;
+    }
   }
   if (robot::TellsStateId(spec)) {
     add_twins(Content::kFsm, topic::kHgSportModeState, rates.motion_hz, topic::kLfHgSportModeState);

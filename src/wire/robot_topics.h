@@ -20,7 +20,10 @@ struct TopicName {
 namespace topic {
 #define UNDERSTUDY_TOPIC(constant, name, module, type) \
   inline constexpr TopicName constant{name, #module "::msg::dds_::" #type};
+#define UNDERSTUDY_PLAIN_TOPIC(constant, name, module, type) \
+  inline constexpr TopicName constant{name, #module "::" #type};
 #include "wire/topic_list.inc"
+#undef UNDERSTUDY_PLAIN_TOPIC
 #undef UNDERSTUDY_TOPIC
 }  // namespace topic
 
@@ -66,7 +69,8 @@ enum class Content : std::uint8_t {
   kBms,
   kMainBoard,
   kHand,
-  kFsm,  // the state of a humanoid's motion service
+  kTouch,  // what the pads of a hand show
+  kFsm,    // the state of a humanoid's motion service
   kArmAction,
   // Of a LidarReading.
   kCloud,  // in the lidar's frame
@@ -83,7 +87,7 @@ enum class Content : std::uint8_t {
 struct StateMessage {
   Content content;
   std::vector<RobotTopic> topics;
-  std::size_t hand = 0;  // of kHand: RobotSpec::hands
+  std::size_t hand = 0;  // of kHand and kTouch: RobotSpec::hands
 };
 std::vector<StateMessage> StateMessages(const robot::RobotSpec& spec);
 

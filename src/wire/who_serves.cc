@@ -25,7 +25,8 @@ constexpr Server kServers[] = {
     {"rt/dex1/", "a robot with Dex1-1 grippers, as `understudy run g1 --hands dex1`"},
     {"rt/dex3/", "a robot with Dex3-1 hands, as `understudy run g1 --hands dex3`"},
     {"rt/inspire/", "a robot with Inspire DFX hands, as `understudy run g1 --hands inspire`"},
-    {"rt/inspire_hand/", "the driver of Inspire FTP hands, which are not simulated"},
+    {"rt/inspire_hand/",
+     "a robot with Inspire FTP hands, as `understudy run g1 --hands inspire_ftp`"},
     {"rt/brainco/", "a robot with Revo2 hands, as `understudy run g1 --hands brainco`"},
     {"rt/api/", "a service that this robot does not have, or whose program is off"},
 };

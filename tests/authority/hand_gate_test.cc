@@ -246,6 +246,40 @@ TEST_F(GoalHandTest, ARevo2GoesToZeroBeforeTheFirstCommandAndAfterARestart) {
   EXPECT_EQ(gate.Current(9).motors[0].q, 1);
 }
 
+// A command to registers: these for the first motor, nothing for the second.
+robot::RobotCommand Registers(double q, double speed, double force) {
+  return {
+      .motors = {{.enabled = true, .q = q, .dq = speed, .tau = force},
+                 {.enabled = true, .q = robot::kNoPosition, .dq = robot::kNoVelocity, .tau = -1}}};
+}
+
+TEST_F(GoalHandTest, AnFtpKeepsEachRegisterUntilACommandHasAnother) {
+  HandGate gate(Hand("inspire_ftp"));
+  ASSERT_EQ(gate.Offer(Registers(robot::kNoPosition, 1, 3), 0), robot::Refusal::kNone);
+  EXPECT_FALSE(gate.Current(1).motors[0].enabled) << "it has no goal yet";
+  ASSERT_EQ(gate.Offer(Registers(1, robot::kNoVelocity, -1), 1), robot::Refusal::kNone);
+  EXPECT_EQ(
+      gate.Current(1.5).motors[0],
+      (robot::MotorCommand{.enabled = true, .q = 0.5, .dq = 1, .kp = 8, .kd = 0.2, .most = 3}));
+  ASSERT_EQ(gate.Offer(Registers(robot::kNoPosition, 0.5, -1), 1.5), robot::Refusal::kNone);
+  EXPECT_EQ(gate.Current(2).motors[0].q, 0.75) << "on to the same goal, slower";
+  EXPECT_EQ(gate.Current(99).motors[0].q, 1);
+  EXPECT_EQ(gate.Current(99).motors[0].most, 3);
+  EXPECT_FALSE(gate.Current(99).motors[1].enabled);
+}
+
+TEST_F(GoalHandTest, AnFtpBeginsAtFullSpeedAndForceAlsoAfterARestart) {
+  HandGate gate(Hand("inspire_ftp"));
+  for (const double t : {0.0, 10.0}) {
+    ASSERT_EQ(gate.Offer(Registers(1, robot::kNoVelocity, -1), t), robot::Refusal::kNone);
+    EXPECT_EQ(gate.Current(t + 0.25).motors[0].q, 0.5);
+    EXPECT_EQ(gate.Current(t + 0.25).motors[0].most, robot::MotorCommand{}.most);
+    ASSERT_EQ(gate.Offer(Registers(0, 0, 0), t + 1), robot::Refusal::kNone);
+    EXPECT_EQ(gate.Current(t + 2).motors[0].q, 1) << "speed 0";
+    gate.Restart();
+  }
+}
+
 TEST_F(GoalHandTest, RefusesWhatIsNotFiniteAndGoesOn) {
   HandGate gate(Hand("inspire"));
   ASSERT_EQ(gate.Offer(Goal(1), 0), robot::Refusal::kNone);

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "config_fixture.h"
+#include "robot/hand_law.h"
 
 namespace understudy::config {
 namespace {
@@ -62,10 +63,22 @@ TEST(HandChoiceTest, HandsThatShareMessagesKeepTheirSlots) {
   EXPECT_EQ(right.slots, 12);
 }
 
+TEST(HandChoiceTest, AnFtpHandHasThePadsOfItsSideInTheOrderOfTheFields) {
+  for (const std::string side : {"left", "right"}) {
+    const robot::HandSpec hand = With(side + ":inspire_ftp").robots[0].spec.hands.at(0);
+    EXPECT_EQ(hand.motors.at(5).joint, side + "_thumb_1_joint");
+    ASSERT_EQ(hand.pads.size(), 17U);
+    EXPECT_EQ(hand.pads[0].site, side + "_little_tip_touch");
+    EXPECT_EQ(hand.pads[15].site, side + "_thumb_palm_touch");
+    EXPECT_EQ(robot::CellsOf(hand), 1062U);
+    EXPECT_EQ(robot::HandTopic(hand, "touch"), "rt/inspire_hand/touch/" + side.substr(0, 1));
+  }
+}
+
 TEST(HandChoiceTest, RefusesByName) {
   EXPECT_EQ(Refusal("inspir"),
             "--set robot.hand_make=inspir: robot.hand_make: no hands 'inspir' for this robot; did "
-            "you mean 'inspire'? (valid: brainco, dex1, dex3, inspire, none)");
+            "you mean 'inspire'? (valid: brainco, dex1, dex3, inspire, inspire_ftp, none)");
   EXPECT_EQ(Refusal("dex1", "go2"),
             "--set robot.hand_make=dex1: robot.hand_make: this robot bears no hands, so not 'dex1' "
             "either; g1 bears them: understudy run g1 --hands dex1");

@@ -161,6 +161,23 @@ TEST_F(HandsTest, AreToldAtARateThatDividesLowstates) {
               testing::HasSubstr("robot.hands.0.hz: expected a rate that divides lowstate_hz"));
 }
 
+TEST_F(HandsTest, WithTouchHaveAStarInTheirTopicAndARateOfTouch) {
+  const auto error = [this](const std::string& topic, const std::string& more) {
+    return HandsError("{name: left, topic: " + topic + ", motors: [" + kThumb + "]" + more + "}");
+  };
+  const std::string law = ", law: inspire_ftp";
+  EXPECT_THAT(error("hand/l", law + ", touch: {hz: 1}"),
+              testing::HasSubstr("robot.hands.0.topic: expected words of letters, digits and _ "
+                                 "between slashes, as in inspire_hand/*/l with its *"));
+  EXPECT_THAT(error("hand/*/*", law + ", touch: {hz: 1}"), testing::HasSubstr("0.topic"));
+  EXPECT_THAT(error("hand/*/l", ""), testing::HasSubstr("0.topic: expected words"));
+  EXPECT_THAT(error("hand/*/l", law),
+              testing::HasSubstr("robot.hands.0.touch.hz: expected more than 0 Hz, as the law "
+                                 "inspire_ftp has messages of touch"));
+  EXPECT_THAT(error("hand", ", touch: {hz: 300}"),
+              testing::HasSubstr("robot.hands.0.touch.hz: expected a rate that divides"));
+}
+
 TEST_F(HandsTest, HaveRoomInTheirMessages) {
   EXPECT_EQ(HandsError(Hand("left", kThumb, ", slot: 6, slots: 12")), "");
   EXPECT_THAT(HandsError(Hand("left", kThumb, ", slot: 6")),

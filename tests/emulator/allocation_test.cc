@@ -253,6 +253,19 @@ TEST_F(AllocationTest, DoesNotHappenWithAHand) {
   EXPECT_EQ(world_->status(0).hands[0].commands.timeouts, 1U);
 }
 
+TEST_F(AllocationTest, DoesNotHappenWhereTheGroundPressesOnALinkWithAPad) {
+  config_.robots[0].spec = test::FixtureRobotWithHand();
+  config_.robots[0].spec.hands[0].pads = {{.site = "imu"}};
+  config_.robots[0].spec.hands[0].touch.counts_per_newton = 10;
+  port_.KeepTheLastOnly();
+  StartAs("lying");
+  CountIn(500);
+  EXPECT_EQ(CountIn(500), 0);
+  double force = 0;
+  world_->physics().robot().HandForces({&force, 1});
+  EXPECT_GT(force, 1);
+}
+
 // A whole robot: on its crane, its motion service on, 29 motors and 14 fingers, noise.
 TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);

@@ -12,6 +12,7 @@
 
 #include "config/load.h"
 #include "mjcf/eigen_views.h"
+#include "robot/hand_law.h"
 #include "tests/emulator/emulator_test.h"
 #include "tests/support/temporary_folder.h"
 
@@ -38,6 +39,7 @@ class GraspTest : public EmulatorTest, public testing::WithParamInterface<Grasp>
                       "<mujoco><worldbody><geom name=\"floor\" type=\"plane\" size=\"0 0 1\"/>"
                       "<body name=\"thing\" pos=\"2 0 1\"><freejoint/>" +
                           GetParam().thing + "</body></worldbody></mujoco>");
+    if (GetParam().make == "inspire_ftp") tau_ = 0.8;  // N·m, its register of force
     config_ = config::LoadConfig(
         {.robot = "g1",
          .sets = {"robot.hand_make=left:" + GetParam().make, "start.pose=clamped",
@@ -60,7 +62,7 @@ class GraspTest : public EmulatorTest, public testing::WithParamInterface<Grasp>
     port_.Send(body);
     robot::RobotCommand hand;
     for (const double q : fingers) {
-      hand.motors.push_back({.enabled = true, .q = q, .dq = 9, .kp = 5, .kd = 0.05});
+      hand.motors.push_back({.enabled = true, .q = q, .dq = 9, .tau = tau_, .kp = 5, .kd = 0.05});
     }
     port_.SendHand(0, hand);
     Tick();
@@ -91,18 +93,24 @@ class GraspTest : public EmulatorTest, public testing::WithParamInterface<Grasp>
 
   Eigen::Vector3d InHand() const { return (X_W(wrist_).inverse() * X_W(thing_)).translation(); }
 
+  // Opens the hand, holds the thing in it and closes.
+  void Take(double elbow) {
+    for (int i = 0; i < 1500; ++i) Hold(0, elbow, GetParam().open);
+    for (int i = 0; i < 900; ++i) {
+      PutThere();
+      Hold(0, elbow, GetParam().closed);
+    }
+    for (int i = 0; i < 500; ++i) Hold(0, elbow, GetParam().closed);
+  }
+
   test::TemporaryFolder folder_;
+  double tau_ = 0;
   int thing_ = -1, wrist_ = -1;
 };
 
 TEST_P(GraspTest, HoldsWhileTheArmMoves) {
   constexpr double kElbowBent = 0.4;  // rad
-  for (int i = 0; i < 1500; ++i) Hold(0, kElbowBent, GetParam().open);
-  for (int i = 0; i < 900; ++i) {
-    PutThere();
-    Hold(0, kElbowBent, GetParam().closed);
-  }
-  for (int i = 0; i < 500; ++i) Hold(0, kElbowBent, GetParam().closed);
+  Take(kElbowBent);
   const Eigen::Vector3d held = InHand();
   const double height = X_W(thing_).translation().z();
   double most = height;
@@ -131,11 +139,83 @@ INSTANTIATE_TEST_SUITE_P(
             "inspire", kCube, {0.175, -0.043, 0.02}, Inspire(0, -0.1, 1.3), Inspire(0.3, 0.5, 1.3)},
         Grasp{
             "inspire", kBottle, {0.19, -0.05, 0.02}, Inspire(0, -0.1, 1.3), Inspire(0.3, 0.5, 1.3)},
+        Grasp{"inspire_ftp",
+              kCube,
+              {0.208, -0.046, 0.02},
+              Inspire(0, 0, 1.1641),
+              Inspire(0.5, 0.5, 1.1641)},
+        Grasp{"inspire_ftp",
+              kBottle,
+              {0.215, -0.053, 0.02},
+              Inspire(0, 0, 1.1641),
+              Inspire(0.5, 0.5, 1.1641)},
         Grasp{"brainco", kCube, {0.14, -0.043, 0.02}, Revo2(1.5, 0, 0), Revo2(1.5, 1, 0.3)},
         Grasp{"brainco", kBottle, {0.14, -0.05, 0.02}, Revo2(1.5, 0, 0), Revo2(1.5, 1, 0.3)}),
     [](const auto& grasp) {
       return grasp.param.make + (grasp.param.thing == kCube ? "Cube" : "Bottle");
     });
+
+// Hands with pads, and what the pads show of a cube that they hold.
+class FeltTest : public GraspTest {
+ protected:
+  void SetUp() override {
+    GraspTest::SetUp();
+    port_.KeepTheLastOnly();
+  }
+  // The sum of the counts of the pads with that word in the names of their sites.
+  double Counts(const std::string& word) const {
+    const std::vector<float>& touch = port_.last().state.touch;
+    double sum = 0;
+    std::size_t first = 0;
+    for (const robot::PadSpec& pad : config_.robots[0].spec.hands[0].pads) {
+      const std::size_t end = first + robot::CellsOf(pad);
+      const bool counts = pad.site.find(word) != std::string::npos;
+      for (; first < end; ++first) sum += counts ? static_cast<double>(touch[first]) : 0;
+    }
+    return sum;
+  }
+  double Force() const {
+    double force = -1;
+    world_->physics().robot().HandForces({&force, 1});
+    return force;
+  }
+};
+
+TEST_P(FeltTest, AThingIsFeltByTheFingersThatHoldItAndNowhereElse) {
+  for (int i = 0; i < 1500; ++i) Hold(0, 0.4, GetParam().open);
+  EXPECT_EQ(Counts(""), 0) << "an open hand feels nothing";
+  EXPECT_EQ(Force(), 0);
+  Take(0.4);
+  EXPECT_GT(Force(), 2);
+  const bool ftp = GetParam().make == "inspire_ftp";
+  for (const std::string finger : {"thumb", "index", "middle"}) {
+    EXPECT_GT(Counts((ftp ? "left_" : "hand_") + finger), 300) << finger;
+  }
+  for (const char* none : {ftp ? "little" : "palm_0", ftp ? "ring" : "palm_1", "left_palm"}) {
+    EXPECT_EQ(Counts(none), 0) << none;
+  }
+}
+
+TEST_P(FeltTest, IsNotComputedWhileNobodyReads) {
+  Take(0.4);
+  const std::vector<float> felt = port_.last().state.touch;
+  port_.IgnoreTouch();
+  for (int i = 0; i < 1500; ++i) Hold(0, 0.4, GetParam().open);
+  EXPECT_EQ(port_.last().state.touch, felt);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hands, FeltTest,
+                         testing::Values(Grasp{"inspire_ftp",
+                                               kCube,
+                                               {0.188, -0.043, 0.02},
+                                               Inspire(0, 0, 1.1641),
+                                               Inspire(0.9, 0.5, 1.1641)},
+                                         Grasp{"dex3",
+                                               kBottle,
+                                               {0.106, -0.05, 0},
+                                               {0, 0, 0, 0, 0, 0, 0},
+                                               {0, 0.3, 0.3, -1.2, -0.5, -1.2, -0.5}}),
+                         [](const auto& grasp) { return grasp.param.make; });
 
 }  // namespace
 }  // namespace understudy::emulator

@@ -26,7 +26,7 @@
 namespace understudy::idl {
 namespace {
 
-constexpr std::size_t kVendorTypeCount = 73;  // unitree_sdk2 21d0a3b2
+constexpr std::size_t kVendorTypeCount = 76;  // 73 of unitree_sdk2 21d0a3b2, three of Inspire
 
 // XTypes 1.3, 7.6.3.2.1 and Annex D: member ids of TypeInformation, discriminators of
 // TypeIdentifier, length of an EquivalenceHash.

@@ -65,6 +65,8 @@ class FakePort final : public wire::RobotPort {
   };
   // Reads these contents of the lidar from now on.
   void ReadLidar(std::set<wire::Content> contents) { read_ = std::move(contents); }
+  // Nobody reads from now on what the pads of hands show.
+  void IgnoreTouch() { reads_touch_ = false; }
   const std::vector<Sight>& sights() const { return sights_; }
 
   const std::vector<Sample>& samples() const { return samples_; }
@@ -85,6 +87,7 @@ class FakePort final : public wire::RobotPort {
   void Clear() override;
   bool Due(std::int64_t step) const override { return step % every_ == 0; }
   void Publish(const robot::RobotState& state, std::int64_t step) override;
+  bool ReadsTouch(std::int64_t /*step*/) const override { return reads_touch_; }
   bool ReadsLidar(wire::Content content) const override { return read_.contains(content); }
   void PublishLidar(wire::Content content, const robot::LidarReading& reading) override {
     sights_.push_back({content, reading});
@@ -120,6 +123,7 @@ class FakePort final : public wire::RobotPort {
   robot::LinkEffects link_;
   robot::PortNews news_;
   bool keep_all_ = true;
+  bool reads_touch_ = true;
   int rests_ = 0;
   std::uint64_t published_ = 0;
   std::vector<Sample> samples_;

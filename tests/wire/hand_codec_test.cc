@@ -131,6 +131,19 @@ TEST_F(HandStateTest, AnUntouchedPadShowsTheLeastValidValueWhereItHasTaxels) {
   }
 }
 
+TEST_F(HandStateTest, ATouchedTaxelShowsMoreAndThoseThatAreNotThereDoNot) {
+  std::vector<float> counts(24);
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = static_cast<float>(i);
+  message_.EncodeTouch(counts);
+  const auto& pad = message_.message().press_sensor_state._buffer[0];
+  EXPECT_EQ(pad.pressure[3], 100003);
+  EXPECT_EQ(pad.pressure[11], 100011);
+  EXPECT_EQ(pad.pressure[4], 30000);
+  message_.EncodeTouch({});
+  EXPECT_EQ(message_.message().press_sensor_state._buffer[0].pressure[3], 100003)
+      << "no sample yet";
+}
+
 TEST_F(HandStateTest, ShowsItsSupply) { EXPECT_EQ(message_.message().power_v, 24); }
 
 TEST_F(HandStateTest, StaysWholeWhenMoved) {

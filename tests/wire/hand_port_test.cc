@@ -11,6 +11,7 @@
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"
 #include "wire/port.h"
+#include "wire/register_codec.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
@@ -170,6 +171,68 @@ TEST(HandPortTest, TalksInListsOfMotorsWhereTheLawSaysSo) {
                [&](const auto& heard, bus::WriterHandle) { q = heard.states._buffer[1].q; }) == 1;
   }));
   EXPECT_EQ(q, 3);
+}
+
+// An FTP hand of one motor, whose first pad has the first of 1062 cells.
+robot::RobotSpec Feeling() {
+  robot::RobotSpec spec = HgRobot();
+  robot::HandSpec hand{.name = "left", .law = "inspire_ftp", .topic = "touchy/*/l"};
+  hand.hz = hand.touch.hz = 1000.0 / kHandStep;
+  hand.motors = {{.joint = "a", .torque_limit = 1, .knee_speed = 1, .span = {2, 0}}};
+  for (const std::size_t cells : TouchMessage::Lengths()) {
+    const int columns = cells == 9 ? 3 : 8;
+    hand.pads.push_back({.rows = static_cast<int>(cells) / columns, .columns = columns});
+  }
+  spec.hands = {hand};
+  return spec;
+}
+
+TEST(HandPortTest, TalksInRegistersWhereTheLawSaysSo) {
+  Played robot(Feeling());
+  bus::Writer<inspire_inspire_hand_ctrl> writer(
+      robot.participant, {"rt/touchy/ctrl/l", &inspire_inspire_hand_ctrl_desc});
+  bus::Reader<inspire_inspire_hand_state> states(
+      robot.participant, {"rt/touchy/state/l", &inspire_inspire_hand_state_desc});
+  ASSERT_TRUE(test::Eventually(
+      [&] { return writer.matched_readers() == 1 && states.matched_writers() == 1; }));
+  std::int16_t angle = 250;
+  inspire_inspire_hand_ctrl command{};
+  command.angle_set = {._maximum = 1, ._length = 1, ._buffer = &angle, ._release = false};
+  command.mode = 1;
+  ASSERT_TRUE(writer.Write(command));
+  ASSERT_TRUE(test::Eventually([&] { return robot.Take(0); }));
+  EXPECT_EQ(robot.wire, robot::Refusal::kNone);
+  EXPECT_EQ(robot.command.motors.at(0).q, 1.5);
+  robot::RobotState state = StateOf(robot.spec);
+  state.motors[4].q = 0.5;
+  robot.port.Publish(state, kHandStep);
+  int told = 0;
+  ASSERT_TRUE(test::Eventually([&] {
+    return states.Take([&](const auto& heard, bus::WriterHandle) {
+      told = heard.angle_act._buffer[0];
+    }) == 1;
+  }));
+  EXPECT_EQ(told, 750);
+}
+
+TEST(HandPortTest, TellsTouchToReadersAndWhetherThereAreAny) {
+  Played robot(Feeling());
+  EXPECT_FALSE(robot.port.ReadsTouch(kHandStep));
+  bus::Reader<inspire_inspire_hand_touch> reader(
+      robot.participant, {"rt/touchy/touch/l", &inspire_inspire_hand_touch_desc});
+  ASSERT_TRUE(test::Eventually([&] { return robot.port.ReadsTouch(kHandStep); }));
+  EXPECT_FALSE(robot.port.ReadsTouch(kHandStep + 1)) << "no message is due";
+  robot::RobotState state = StateOf(robot.spec);
+  state.touch.assign(1062, 0);
+  state.touch[9] = 42;
+  robot.port.Publish(state, kHandStep);
+  int told = 0;
+  ASSERT_TRUE(test::Eventually([&] {
+    return reader.Take([&](const auto& heard, bus::WriterHandle) {
+      told = heard.fingerone_top_touch._buffer[0];
+    }) == 1;
+  }));
+  EXPECT_EQ(told, 42);
 }
 
 TEST(HandPortTest, HasNoTopicsWhereTheRobotHasNoHands) {
