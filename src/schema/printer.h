@@ -8,8 +8,9 @@
 
 namespace understudy::schema {
 
-// Prints a list of structs one line per element, including the lists and sections within it. With comments, it
-// adds meaning, unit and range above each key, and once above a list for all its elements.
+// Prints a list of structs one line per element, including the lists and sections within it. With
+// comments, it adds meaning, unit and range above each key, and once above a list for all its
+// elements.
 class Printer : public Archive {
  public:
   explicit Printer(bool with_comments) : with_comments_(with_comments) {}
