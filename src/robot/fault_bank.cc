@@ -23,6 +23,17 @@ std::uint64_t Mixed(std::uint64_t x) {
 
 std::string Number(double number) { return Printed("%g", number); }
 
+// Which of the topics are a hand's.
+std::vector<std::size_t> LinksOf(const HandSpec& hand, const std::vector<std::string>& links) {
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const char* root : {"rt/", "rt/lf/"}) {
+      if (links[i].starts_with(root + hand.topic + "/")) own.push_back(i);
+    }
+  }
+  return own;
+}
+
 }  // namespace
 
 FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& links,
@@ -65,6 +76,10 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
   for (std::size_t i = 0; i < spec.cameras.size(); ++i) {
     Add(Component::kCamera, i, "camera." + spec.cameras[i].name);
   }
+  for (std::size_t i = 0; i < spec.hands.size(); ++i) {
+    Add(Component::kHand, i, "hand." + spec.hands[i].name);
+    hand_links_.push_back(LinksOf(spec.hands[i], links));
+  }
   faults_.reserve(kMost);
   begun_.reserve(kMost);
   over_.reserve(kMost);
@@ -76,6 +91,7 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
   nothing_.buses.resize(buses_.size());
   nothing_.fans.resize(spec.fans.size());
   nothing_.cameras.resize(spec.cameras.size());
+  nothing_.hands.resize(spec.hands.size());
   effects_ = nothing_;
 }
 
@@ -91,7 +107,7 @@ Result<std::size_t> FaultBank::Find(std::string_view component) const {
   return Error{"the robot has no '" + std::string(component) + "'" +
                (hint.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
                                "remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard, "
-                               "mcu, lidar or camera.NAME"
+                               "mcu, lidar, camera.NAME or hand.NAME"
                              : hint)};
 }
 
@@ -231,7 +247,10 @@ bool FaultBank::Step(double t) {
                      .chance = Draw(fault, moment),
                      .motors = place.of == Component::kBus
                                    ? std::span<const std::size_t>(buses_[place.element].motors)
-                                   : std::span<const std::size_t>()},
+                                   : std::span<const std::size_t>(),
+                     .links = place.of == Component::kHand
+                                  ? std::span<const std::size_t>(hand_links_[place.element])
+                                  : std::span<const std::size_t>()},
                     &effects_);
   }
   return true;
