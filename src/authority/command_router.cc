@@ -105,6 +105,10 @@ GateCounts CommandRouter::counts(std::size_t topic) const {
   return counts;
 }
 
+void CommandRouter::RunHands(std::span<const robot::HandEffects> faults, double t) {
+  for (std::size_t i = 0; i < hands_.size(); ++i) hands_[i].SetRunning(!faults[i].dead, t);
+}
+
 void CommandRouter::Obey(const robot::RemoteReading& remote, double t) {
   FollowOwner();
   unheeded_.reset();

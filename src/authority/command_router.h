@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "authority/arm_overlay.h"
@@ -15,6 +16,7 @@
 #include "authority/motor_owner.h"
 #include "authority/unheeded.h"
 #include "robot/command_topics.h"
+#include "robot/fault.h"
 
 namespace understudy::authority {
 
@@ -48,6 +50,8 @@ class CommandRouter {
   void Count(std::size_t topic, robot::Refusal refusal, std::uint64_t times) {
     intakes_[topic].Count(refusal, times);
   }
+  // Whether the programs of the hands run at time t [s].
+  void RunHands(std::span<const robot::HandEffects> faults, double t);
   // Follows the keys and sticks of the remote controller at time t [s].
   void Obey(const robot::RemoteReading& remote, double t);
   // Returns what the last Obey was asked for and the robot does not do: of chords each, of sticks

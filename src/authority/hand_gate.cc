@@ -80,6 +80,22 @@ const robot::RobotCommand& HandGate::Current(double t) {
   return current_;
 }
 
+void HandGate::SetRunning(bool runs, double t) {
+  const bool starts = runs && !runs_;
+  runs_ = runs;
+  if (!starts) return;
+  FollowGoals(t);
+  if (law_->watched) std::ranges::fill(current_.motors, robot::MotorCommand{});
+  if (!law_->starts) return;
+  taken_at_ = t;
+  for (std::size_t i = 0; i < leads_.size(); ++i) {
+    Lead& lead = leads_[i];
+    lead.from = current_.motors[i].q;
+    lead.goal = lead.start.q;
+    lead.speed = lead.full_speed;
+  }
+}
+
 void HandGate::Restart() {
   std::ranges::fill(current_.motors, robot::MotorCommand{});
   for (std::size_t i = 0; i < leads_.size(); ++i) {

@@ -38,6 +38,12 @@ class HandGate {
   // Returns to the state before the first command.
   void Restart();
 
+  // Whether the program that drives the hand runs at time t [s]; it does at first. While it does
+  // not, no command comes. As it starts, motors that it watches lock, and a hand that it sends to
+  // q 0 goes there at full speed; others do what they did: their own controllers go on. That a
+  // hand outlives its program so is *assumed*.
+  void SetRunning(bool runs, double t);
+
   // Returns how often commands have stopped since construction, counted once for all watched
   // motors.
   std::uint64_t timeouts() const { return timeouts_; }
@@ -62,6 +68,7 @@ class HandGate {
   robot::RobotCommand current_;
   std::uint64_t timeouts_ = 0;
   double taken_at_ = 0;
+  bool runs_ = true;
 };
 
 }  // namespace understudy::authority

@@ -14,6 +14,7 @@ void Computer::TakeCommands(double t) {
   }
   ports_.topics->BeginTick(t, faults);
   if (!power_.computes()) return ports_.topics->Clear();
+  router_.RunHands(faults_.effects().hands, t);
   router_.Obey(ReadRemote(t), t);
   if (const auto& unheeded = router_.unheeded()) {
     events_->AddUnheeded(*unheeded, router_.owner().state(), first_service_);

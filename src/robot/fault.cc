@@ -388,6 +388,15 @@ constexpr auto kKinds = std::to_array<FaultKind>({
      .high = 1,
      .otherwise = 0.9,
      .act = [](F f, E e) { e->cameras[f.element].light *= 1 - f.by * f.grown; }},
+    {.of = Component::kHand,
+     .name = "off",
+     .does = "It has died: no state is sent, no command heard. The hand does what it does when "
+             "commands stop; once it runs again it starts as with the robot",
+     .act =
+         [](F f, E e) {
+           e->hands[f.element].dead = true;
+           for (const std::size_t link : f.links) e->links[link].drops = true;
+         }},
 });
 
 struct ComponentNames {
@@ -409,6 +418,7 @@ constexpr std::array<ComponentNames, kComponents> kComponentNames{{
     {"small controller of the mainboard", "`mcu`"},
     {"lidar", "`lidar`"},
     {"camera", "itself: `camera.front`"},
+    {"hand's program", "its hand's: `hand.left`, `hand.inspire`"},
 }};
 
 }  // namespace

@@ -30,9 +30,10 @@ enum class Component : std::uint8_t {
   kMcu,
   kLidar,
   kCamera,
+  kHand,
 };
 
-inline constexpr std::size_t kComponents = 14;
+inline constexpr std::size_t kComponents = 15;
 
 // What is wrong with each part now, as its model reads it. Default values: nothing.
 
@@ -120,6 +121,10 @@ struct CameraEffects {
   double light = 1;     // share of the light that reaches it
 };
 
+struct HandEffects {
+  bool dead = false;  // the program that drives it does not run
+};
+
 struct Effects {
   std::vector<MotorEffects> motors{};  // motor order, as the next
   std::vector<EncoderEffects> encoders{};
@@ -134,6 +139,7 @@ struct Effects {
   BoardEffects board{};
   LidarEffects lidar{};
   std::vector<CameraEffects> cameras{};  // in RobotSpec::cameras order
+  std::vector<HandEffects> hands{};      // in RobotSpec::hands order
 };
 
 // A fault as it acts in a tick.
@@ -144,6 +150,7 @@ struct ActingFault {
   double age = 0;                         // s
   double chance = 0;                      // drawn for this fault and tick from [0, 1)
   std::span<const std::size_t> motors{};  // of a bus, in motor order
+  std::span<const std::size_t> links{};   // of a hand's program: its topics, in Effects::links
 };
 
 // A kind of fault of a component. A new one is a row, and an effect where there is none for it.

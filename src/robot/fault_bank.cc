@@ -6,6 +6,7 @@
 
 #include "base/nearest_word.h"
 #include "base/printed.h"
+#include "robot/hand_law.h"
 
 namespace understudy::robot {
 namespace {
@@ -22,6 +23,18 @@ std::uint64_t Mixed(std::uint64_t x) {
 }
 
 std::string Number(double number) { return Printed("%g", number); }
+
+// Which of the topics are a hand's.
+std::vector<std::size_t> LinksOf(const HandSpec& hand, const std::vector<std::string>& links) {
+  std::vector<std::size_t> own;
+  for (const char* word : {"cmd", "ctrl", "state", "touch"}) {
+    const std::string topic = HandTopic(hand, word);
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      if (links[i] == topic || links[i] == "rt/lf" + topic.substr(2)) own.push_back(i);
+    }
+  }
+  return own;
+}
 
 }  // namespace
 
@@ -65,6 +78,10 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
   for (std::size_t i = 0; i < spec.cameras.size(); ++i) {
     Add(Component::kCamera, i, "camera." + spec.cameras[i].name);
   }
+  for (std::size_t i = 0; i < spec.hands.size(); ++i) {
+    Add(Component::kHand, i, "hand." + spec.hands[i].name);
+    hand_links_.push_back(LinksOf(spec.hands[i], links));
+  }
   faults_.reserve(kMost);
   begun_.reserve(kMost);
   over_.reserve(kMost);
@@ -76,6 +93,7 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
   nothing_.buses.resize(buses_.size());
   nothing_.fans.resize(spec.fans.size());
   nothing_.cameras.resize(spec.cameras.size());
+  nothing_.hands.resize(spec.hands.size());
   effects_ = nothing_;
 }
 
@@ -91,7 +109,7 @@ Result<std::size_t> FaultBank::Find(std::string_view component) const {
   return Error{"the robot has no '" + std::string(component) + "'" +
                (hint.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
                                "remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard, "
-                               "mcu, lidar or camera.NAME"
+                               "mcu, lidar, camera.NAME or hand.NAME"
                              : hint)};
 }
 
@@ -231,7 +249,10 @@ bool FaultBank::Step(double t) {
                      .chance = Draw(fault, moment),
                      .motors = place.of == Component::kBus
                                    ? std::span<const std::size_t>(buses_[place.element].motors)
-                                   : std::span<const std::size_t>()},
+                                   : std::span<const std::size_t>(),
+                     .links = place.of == Component::kHand
+                                  ? std::span<const std::size_t>(hand_links_[place.element])
+                                  : std::span<const std::size_t>()},
                     &effects_);
   }
   return true;

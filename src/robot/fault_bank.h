@@ -104,7 +104,8 @@ class FaultBank {
   const RobotSpec& spec_;
   std::uint64_t seed_;
   std::vector<MotorBus> buses_;
-  std::vector<Place> places_;  // by component, as names_
+  std::vector<std::vector<std::size_t>> hand_links_;  // by hand, of its topics
+  std::vector<Place> places_;                         // by component, as names_
   std::vector<std::string> names_;
   std::vector<Fault> faults_, begun_, over_;
   std::vector<Fault> planned_;  // the next is the last

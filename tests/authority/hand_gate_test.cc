@@ -142,6 +142,30 @@ TEST_F(HandGateTest, IsAsBeforeTheFirstCommandAfterARestart) {
   EXPECT_EQ(strict_.counts().accepted, 1U);
 }
 
+TEST_F(HandGateTest, OfADex3GoesOnAcrossADeathOfItsProgram) {
+  Offer(Torques(1, 2));
+  gate_.SetRunning(false, 1);
+  EXPECT_EQ(gate_.Current(9).motors[0], Torque(1));
+  gate_.SetRunning(true, 10);
+  EXPECT_EQ(gate_.Current(10).motors[0], Torque(1));
+}
+
+TEST_F(HandGateTest, OfADex1BrakesOnceItsProgramIsSilentAndUntilACommandToTheNextOne) {
+  robot::HandSpec spec = TwoMotors();
+  spec.law = "dex1";
+  HandGate gate(spec);
+  gate.Offer(Torques(1, 2, /*watched=*/true), 0);
+  gate.SetRunning(false, 0.5);
+  EXPECT_TRUE(gate.Current(0.9).motors[0].enabled);
+  EXPECT_FALSE(gate.Current(1.1).motors[0].enabled);
+  gate.Offer(Torques(1, 2, /*watched=*/true), 2);
+  gate.SetRunning(true, 2.1);
+  EXPECT_FALSE(gate.Current(2.2).motors[0].enabled) << "it starts braked";
+  gate.Offer(Torques(1, 2, /*watched=*/true), 3);
+  gate.SetRunning(true, 3);
+  EXPECT_TRUE(gate.Current(3.1).motors[0].enabled) << "it goes on running";
+}
+
 TEST_F(HandGateTest, RefusesAnAngleThatIsNoNumber) {
   ExpectRefused({.enabled = true, .q = kNan}, robot::Refusal::kNotFinite);
 }
@@ -278,6 +302,26 @@ TEST_F(GoalHandTest, AnFtpBeginsAtFullSpeedAndForceAlsoAfterARestart) {
     EXPECT_EQ(gate.Current(t + 2).motors[0].q, 1) << "speed 0";
     gate.Restart();
   }
+}
+
+TEST_F(GoalHandTest, AnInspireReachesItsLastGoalAndStaysThereWhenItsProgramDiesAndComesBack) {
+  HandGate gate(Hand("inspire"));
+  ASSERT_EQ(gate.Offer(Goal(1), 0), robot::Refusal::kNone);
+  gate.SetRunning(false, 0.25);
+  EXPECT_EQ(gate.Current(9).motors[0].q, 1);
+  gate.SetRunning(true, 10);
+  EXPECT_EQ(gate.Current(20).motors[0].q, 1);
+}
+
+TEST_F(GoalHandTest, ARevo2GoesToZeroAtFullSpeedWhenItsProgramComesBack) {
+  HandGate gate(Hand("brainco"));
+  ASSERT_EQ(gate.Offer(Goal(0, 2), 0), robot::Refusal::kNone);
+  gate.SetRunning(false, 5);
+  EXPECT_EQ(gate.Current(9).motors[0].q, 0);
+  gate.SetRunning(true, 10);
+  EXPECT_EQ(gate.Current(10.25).motors[0].q, 0.5);
+  gate.SetRunning(true, 10.5);
+  EXPECT_EQ(gate.Current(20).motors[0].q, 1) << "the angle of q 0";
 }
 
 TEST_F(GoalHandTest, RefusesWhatIsNotFiniteAndGoesOn) {

@@ -75,10 +75,25 @@ TEST(HandChoiceTest, AnFtpHandHasThePadsOfItsSideInTheOrderOfTheFields) {
   }
 }
 
+TEST(HandChoiceTest, OldGrippersAreTheSamePairInOneMessageRightBeforeLeft) {
+  const robot::HandSpec old = With("dex1_old").robots[0].spec.hands.at(0);
+  EXPECT_EQ(old.topic, "unitree_actuator");
+  EXPECT_EQ(old.hz, 200);
+  ASSERT_EQ(old.motors.size(), 2U);
+  EXPECT_EQ(old.motors[0].joint, "right_dex1_motor_joint");
+  EXPECT_EQ(old.motors[1].joint, "left_dex1_motor_joint");
+  const robot::HandSpec now = With("dex1").robots[0].spec.hands.at(0);
+  EXPECT_EQ(old.motors[1].torque_limit, now.motors[0].torque_limit);
+  EXPECT_EQ(old.motors[1].lock_kd, now.motors[0].lock_kd);
+  EXPECT_EQ(old.motors[1].q_step, now.motors[0].q_step);
+  EXPECT_EQ(old.timeout, now.timeout);
+  EXPECT_EQ(With("left:dex1_old").robots[0].spec.hands.at(0).slot, 1);
+}
+
 TEST(HandChoiceTest, RefusesByName) {
   EXPECT_EQ(Refusal("inspir"),
             "--set robot.hand_make=inspir: robot.hand_make: no hands 'inspir' for this robot; did "
-            "you mean 'inspire'? (valid: brainco, dex1, dex3, inspire, inspire_ftp, none)");
+            "you mean 'inspire'? (valid: brainco, dex1, dex1_old, dex3, inspire, inspire_ftp, none)");
   EXPECT_EQ(Refusal("dex1", "go2"),
             "--set robot.hand_make=dex1: robot.hand_make: this robot bears no hands, so not 'dex1' "
             "either; g1 bears them: understudy run g1 --hands dex1");

@@ -273,6 +273,7 @@ class FaultsTest : public EmulatorTest, public testing::WithParamInterface<robot
         return "mcu";
       case Component::kLidar:   // lidar_test.cc
       case Component::kCamera:  // tests/run/cameras_test.cc
+      case Component::kHand:    // hands_test.cc
         return "";
     }
     return "";
@@ -328,11 +329,13 @@ std::string Titled(const testing::TestParamInfo<robot::FaultKind>& info) {
   return title;
 }
 
-// A lidar's are in lidar_test.cc, a camera's in tests/run/cameras_test.cc.
+// A lidar's are in lidar_test.cc, a camera's in tests/run/cameras_test.cc, a hand's in
+// hands_test.cc.
 std::vector<robot::FaultKind> KindsOfStates() {
   std::vector<robot::FaultKind> kinds(robot::FaultKinds().begin(), robot::FaultKinds().end());
   std::erase_if(kinds, [](const robot::FaultKind& kind) {
-    return kind.of == Component::kLidar || kind.of == Component::kCamera;
+    return kind.of == Component::kLidar || kind.of == Component::kCamera ||
+           kind.of == Component::kHand;
   });
   return kinds;
 }

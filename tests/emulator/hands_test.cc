@@ -154,6 +154,20 @@ TEST_F(HandsTest, DrawFromTheBattery) {
   EXPECT_LT(port_.last().state.battery.current, idle - 0.12);
 }
 
+TEST_F(HandsTest, OfAServiceBrakeWhileItsProgramIsDeadAndAreLockedWhenItComesBack) {
+  config_.robots[0].spec.hands[0].law = "dex1";
+  StartAs("clamped");
+  port_.SendHand(0, Reach(0.5, 0.5, /*watched=*/true));
+  Tick(20);
+  ASSERT_TRUE(Reading(kPitch).enabled);
+  Ask("fault", {{"component", "hand.neck"}, {"fault", "off"}, {"for", 0.01}});
+  Tick(20);
+  EXPECT_FALSE(Reading(kPitch).enabled) << "it has started anew";
+  EXPECT_THAT(Told(EventKind::kFault),
+              testing::ElementsAre(testing::HasSubstr("hand.neck is off"),
+                                   testing::HasSubstr("hand.neck is no longer off")));
+}
+
 TEST_F(HandsTest, AreLockedAgainAfterAReset) {
   port_.SendHand(0, Reach(0.5, 0.5));
   Tick(500);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -183,8 +184,8 @@ TEST_F(FaultBankTest, RefusesAComponentThatIsNotThereWithTheNearest) {
   EXPECT_EQ(Begin("imv", "off"), "the robot has no 'imv'; did you mean 'imu'?");
   EXPECT_EQ(Begin("flux capacitor", "off"),
             "the robot has no 'flux capacitor'; expected a joint, JOINT.encoder, imu, foot.NAME, "
-            "battery, remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard, mcu, lidar or "
-            "camera.NAME");
+            "battery, remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard, mcu, lidar, "
+            "camera.NAME or hand.NAME");
   EXPECT_NE(bank_.Clear("imv").why(), "");
 }
 
@@ -266,6 +267,35 @@ TEST_F(FaultBankTest, HasWhatMessagesOfTheFamilyCanShow) {
   EXPECT_FALSE(bank.Begin("mcu", "off", nullptr, {}, 0).ok());
   EXPECT_EQ(Begin("mainboard", "hot"), "");
   EXPECT_EQ(Begin("mcu", "off"), "");
+}
+
+TEST(HandProgramFaultTest, StopsAllTopicsOfItsHandAndNoOther) {
+  const RobotSpec spec = test::FixtureRobotWithHand();
+  const std::string topic = "rt/" + spec.hands[0].topic;
+  const std::string slow = "rt/lf/" + spec.hands[0].topic;
+  FaultBank bank(
+      spec, {"rt/lowcmd", topic + "/cmd", topic + "/state", slow + "/state", topic + "r/x"}, {}, 1);
+  ASSERT_TRUE(bank.Begin("hand.neck", "off", nullptr, {.lasts = 1}, 0).ok());
+  bank.Step(0);
+  EXPECT_TRUE(bank.effects().hands[0].dead);
+  std::vector<bool> drops;
+  for (const LinkEffects& link : bank.effects().links) drops.push_back(link.drops);
+  EXPECT_EQ(drops, (std::vector<bool>{false, true, true, true, false}));
+  bank.Step(1);
+  EXPECT_FALSE(bank.effects().hands[0].dead);
+  EXPECT_FALSE(bank.effects().links[1].drops);
+}
+
+TEST(HandProgramFaultTest, KnowsItsSideWhereTopicsEndWithIt) {
+  RobotSpec spec = test::FixtureRobotWithHand();
+  spec.hands[0].topic = "hands/*/l";
+  FaultBank bank(
+      spec, {"rt/hands/ctrl/l", "rt/hands/state/l", "rt/hands/touch/l", "rt/hands/state/r"}, {}, 1);
+  ASSERT_TRUE(bank.Begin("hand.neck", "off", nullptr, {}, 0).ok());
+  bank.Step(0);
+  std::vector<bool> drops;
+  for (const LinkEffects& link : bank.effects().links) drops.push_back(link.drops);
+  EXPECT_EQ(drops, (std::vector<bool>{true, true, true, false}));
 }
 
 TEST(BusesTest, AreThoseOfTheDescriptionThenOfHandsThenOfAllOtherMotors) {

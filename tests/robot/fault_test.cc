@@ -24,6 +24,7 @@ Effects Nothing() {
   effects.buses.resize(1);
   effects.fans.resize(1);
   effects.cameras.resize(1);
+  effects.hands.resize(1);
   return effects;
 }
 
@@ -57,6 +58,7 @@ std::vector<double> Flat(const Effects& effects) {
   const LidarEffects& lidar = effects.lidar;
   Add(&all, {Is(lidar.dead), Is(lidar.blind), lidar.lost, lidar.dirt, lidar.noise});
   for (const CameraEffects& e : effects.cameras) Add(&all, {Is(e.frozen), Is(e.lost), e.light});
+  for (const HandEffects& e : effects.hands) all.push_back(Is(e.dead));
   return all;
 }
 

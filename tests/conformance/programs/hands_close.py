@@ -21,6 +21,7 @@ from unitree_sdk2py.idl.unitree_go.msg.dds_ import MotorCmds_, MotorStates_
 # By make: topics, motors in a message, q open and q closed.
 MAKES = {
     "dex1": (("dex1/left", "dex1/right"), 1, 5.4, 0.0),
+    "dex1_old": (("unitree_actuator",), 2, 5.4, 0.0),
     "inspire": (("inspire",), 12, 1.0, 0.0),
     "brainco": (("brainco/left", "brainco/right"), 6, 0.0, 1.0),
 }
