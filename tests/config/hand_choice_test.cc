@@ -91,9 +91,10 @@ TEST(HandChoiceTest, OldGrippersAreTheSamePairInOneMessageRightBeforeLeft) {
 }
 
 TEST(HandChoiceTest, RefusesByName) {
-  EXPECT_EQ(Refusal("inspir"),
-            "--set robot.hand_make=inspir: robot.hand_make: no hands 'inspir' for this robot; did "
-            "you mean 'inspire'? (valid: brainco, dex1, dex1_old, dex3, inspire, inspire_ftp, none)");
+  EXPECT_EQ(
+      Refusal("inspir"),
+      "--set robot.hand_make=inspir: robot.hand_make: no hands 'inspir' for this robot; did "
+      "you mean 'inspire'? (valid: brainco, dex1, dex1_old, dex3, inspire, inspire_ftp, none)");
   EXPECT_EQ(Refusal("dex1", "go2"),
             "--set robot.hand_make=dex1: robot.hand_make: this robot bears no hands, so not 'dex1' "
             "either; g1 bears them: understudy run g1 --hands dex1");

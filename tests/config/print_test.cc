@@ -81,8 +81,8 @@ TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachRevision) {
 }
 
 TEST_F(PrintConfigTest, ReadsBackAsTheSameWithAnyHands) {
-  for (const std::string make :
-       {"dex1", "dex1_old", "inspire", "brainco", "inspire_ftp", "none", "left:inspire,right:dex3"}) {
+  for (const std::string make : {"dex1", "dex1_old", "inspire", "brainco", "inspire_ftp", "none",
+                                 "left:inspire,right:dex3"}) {
     const Config config = LoadConfig({.robot = "g1", .sets = {"robot.hand_make=" + make}}, kSource);
     const std::string printed = PrintConfig(config, false);
     EXPECT_EQ(Again("g1", printed), printed) << make;
