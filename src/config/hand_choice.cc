@@ -102,12 +102,24 @@ void Add(const std::string& key, std::size_t number, YamlValue* map) {
   map->items.push_back(std::move(entry.items[0]));
 }
 
-// Adds the hands of a make's file to `hands`.
-void AddHands(const Choice& choice, const std::filesystem::path& data_dir, YamlValue* hands) {
+// Has each file of `models` replaced by that of its name in `folder` below data_dir/models, if
+// there is one.
+void TakeOwnModels(const std::filesystem::path& folder, const std::filesystem::path& data_dir,
+                   YamlValue* models) {
+  for (YamlValue& model : models->items) {
+    const std::filesystem::path own = folder / std::filesystem::path(model.text).filename();
+    if (std::filesystem::exists(data_dir / "models" / own)) model.text = own.generic_string();
+  }
+}
+
+// Adds the hands of a make's file to `hands`, with models of `folder` where it has them.
+void AddHands(const Choice& choice, const std::filesystem::path& folder,
+              const std::filesystem::path& data_dir, YamlValue* hands) {
   YamlValue file = ReadYamlFile(data_dir / "config" / "hands" / (choice.make + ".yaml"));
   YamlValue robot = *TakeOut(&file, "robot");
   YamlValue made = *TakeOut(&robot, "hands");
   for (YamlValue& hand : made.items) {
+    TakeOwnModels(folder, data_dir, hand.Find("models"));
     YamlValue* motors = hand.Find("motors");
     const std::size_t all = motors->items.size();
     if (!choice.side.empty()) {
@@ -126,16 +138,17 @@ void AddHands(const Choice& choice, const std::filesystem::path& data_dir, YamlV
 }  // namespace
 
 YamlValue HandsOf(const YamlValue& asked, const std::vector<std::string>& makes,
-                  const std::filesystem::path& data_dir) {
+                  const std::string& model, const std::filesystem::path& data_dir) {
   YamlValue hands{.kind = YamlValue::Kind::kSequence,
                   .text = {},
                   .items = {},
                   .keys = {},
                   .where = asked.where};
+  const std::filesystem::path folder = std::filesystem::path(model).parent_path() / "hands";
   for (const Choice& choice : ChoicesOf(asked)) {
     if (choice.make == kNone) continue;
     RequireMake(asked, choice.make, makes, data_dir);
-    AddHands(choice, data_dir, &hands);
+    AddHands(choice, folder, data_dir, &hands);
   }
   return MapOf("robot", MapOf("hands", std::move(hands)));
 }

@@ -12,8 +12,9 @@ namespace understudy::config {
 // Returns the layer that sets robot.hands as `asked` says: NAME for both sides, left:NAME or
 // right:NAME for one, both after a comma; none for no hands. A name is one of `makes` and has a
 // file in data_dir/config/hands. Of a file whose hands share messages, one side keeps its slots.
-// Throws ConfigError, which begins with the place of `asked`.
+// A model of its name in the folder `hands` beside `model`, which is the robot's, replaces a
+// hand's. Throws ConfigError, which begins with the place of `asked`.
 schema::YamlValue HandsOf(const schema::YamlValue& asked, const std::vector<std::string>& makes,
-                          const std::filesystem::path& data_dir);
+                          const std::string& model, const std::filesystem::path& data_dir);
 
 }  // namespace understudy::config

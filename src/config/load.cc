@@ -240,7 +240,8 @@ std::vector<YamlValue> ChosenHands(const std::vector<YamlValue>& trees,
   if (const YamlValue* list = LastOfRobot(trees, "hand_makes")) {
     for (const YamlValue& make : list->items) makes.push_back(make.text);
   }
-  return {HandsOf(*asked, makes, data_dir)};
+  const YamlValue* model = LastOfRobot(trees, "model");
+  return {HandsOf(*asked, makes, model == nullptr ? "" : model->text, data_dir)};
 }
 
 // The configuration of one robot, alone in its world, of its file and the layers above.

@@ -90,6 +90,15 @@ TEST(HandChoiceTest, OldGrippersAreTheSamePairInOneMessageRightBeforeLeft) {
   EXPECT_EQ(With("left:dex1_old").robots[0].spec.hands.at(0).slot, 1);
 }
 
+TEST(HandChoiceTest, ModelsAreThoseBesideTheRobotsWhereItHasThem) {
+  const auto models = [](const std::string& robot) {
+    return With("inspire", robot).robots[0].spec.hands.at(0).models;
+  };
+  EXPECT_THAT(models("h1_2"),
+              ElementsAre("h1_2/hands/right_inspire.xml", "h1_2/hands/left_inspire.xml"));
+  EXPECT_THAT(models("g1"), ElementsAre("g1/hands/right_inspire.xml", "g1/hands/left_inspire.xml"));
+}
+
 TEST(HandChoiceTest, RefusesByName) {
   EXPECT_EQ(
       Refusal("inspir"),
@@ -99,6 +108,7 @@ TEST(HandChoiceTest, RefusesByName) {
             "--set robot.hand_make=dex1: robot.hand_make: this robot bears no hands, so not 'dex1' "
             "either; g1 bears them: understudy run g1 --hands dex1");
   EXPECT_THAT(Refusal("dex1", "g1_23dof"), HasSubstr("this robot bears no hands"));
+  EXPECT_THAT(Refusal("dex1", "h1_2"), HasSubstr("no hands 'dex1' for this robot"));
   for (const char* wrong : {"up:dex1", "dex1,dex3", "left:dex1,dex3", "left:dex1,"}) {
     EXPECT_THAT(Refusal(wrong), HasSubstr("expected left:NAME or right:NAME")) << wrong;
   }

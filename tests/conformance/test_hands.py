@@ -2,6 +2,8 @@
 
 import pytest
 
+# By robot, who bears which.
+BEARERS = [("g1", "dex1"), ("g1", "dex1_old"), ("g1", "inspire"), ("g1", "brainco"), ("h1_2", "inspire")]
 # By make: topics, motors in a message, states a second, q open and q closed.
 MAKES = {
     "dex1": (("dex1/left", "dex1/right"), 1, 500, 5.4, 0.0),
@@ -11,12 +13,13 @@ MAKES = {
 }
 
 
-@pytest.fixture(params=MAKES)
+@pytest.fixture(params=BEARERS, ids="-".join)
 def hands(request, rehearse):
-    run = rehearse("g1", "hands_close.py", request.param,
-                   options=("--start", "clamped", "--hands", request.param, "--clock", "simulated"))  # fmt: skip
+    robot, make = request.param
+    run = rehearse(robot, "hands_close.py", make,
+                   options=("--start", "clamped", "--hands", make, "--clock", "simulated"))  # fmt: skip
     assert run.succeeded()
-    return request.param, run
+    return make, run
 
 
 def test_each_topic_has_the_motors_of_its_service(hands):

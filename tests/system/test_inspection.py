@@ -59,6 +59,7 @@ def test_robots_lists_the_hands_that_a_robot_can_bear(understudy):
     robots = {robot["name"]: robot for robot in json.loads(understudy("robots", "--json").stdout)}
     assert robots["g1"]["hand_makes"] == ["brainco", "dex1", "dex1_old", "dex3", "inspire", "inspire_ftp"]
     assert (robots["g1"]["hands"], robots["g1_29dof_dex3"]["hands"]) == ("none", "dex3")
+    assert (robots["h1_2"]["hand_makes"], robots["h1_2"]["hands"]) == (["inspire"], "none")
     assert robots["go2"]["hand_makes"] == []
 
 

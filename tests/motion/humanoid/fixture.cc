@@ -1,6 +1,7 @@
 #include "tests/motion/humanoid/fixture.h"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 #include <mujoco/mujoco.h>
@@ -10,7 +11,11 @@ namespace understudy::motion {
 config::Config HumanoidConfig(const std::string& robot, double timestep) {
   const std::size_t space = robot.find(' ');
   std::vector<std::string> settings;
-  if (space != std::string::npos) settings = {"robot.revision=" + robot.substr(space + 1)};
+  if (space != std::string::npos) {
+    const std::string choice = robot.substr(space + 1);
+    const bool is_revision = std::isdigit(static_cast<unsigned char>(choice[0])) != 0;
+    settings = {(is_revision ? "robot.revision=" : "robot.hand_make=") + choice};
+  }
   config::Config config = ConfigOf(robot.substr(0, space), settings);
   config.physics.timestep = timestep;
   return config;

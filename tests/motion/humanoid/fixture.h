@@ -6,7 +6,7 @@
 
 namespace understudy::motion {
 
-// config/robots/<robot>.yaml; "g1 6" is its hardware revision 6.
+// config/robots/<robot>.yaml; "g1 6" is its hardware revision 6, "g1 dex1" bears these hands.
 config::Config HumanoidConfig(const std::string& robot, double timestep = 0.001);
 
 class HumanoidRig : public MotionRig {

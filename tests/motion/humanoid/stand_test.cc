@@ -85,6 +85,9 @@ const auto kRevisions = testing::Values("g1 2", "g1 3", "g1 6", "g1 11", "g1 12"
 
 INSTANTIATE_TEST_SUITE_P(Revisions, HumanoidStandTest, kRevisions,
                          [](const auto& test) { return Name(test.param); });
+INSTANTIATE_TEST_SUITE_P(WithHands, HumanoidStandTest,
+                         testing::Values("g1 inspire", "h1_2 inspire"),
+                         [](const auto& test) { return Name(test.param); });
 INSTANTIATE_TEST_SUITE_P(Revisions, G1SquatTest, kRevisions,
                          [](const auto& test) { return Name(test.param); });
 INSTANTIATE_TEST_SUITE_P(Robots, G1SquatTest, testing::Values("g1", "g1_23dof"),
