@@ -125,7 +125,7 @@ TEST_F(HardwareTest, SwitchedOnItsUnitKnowsHowItLies) {
   ASSERT_GT(body().tilt(), 0.3);
   ASSERT_TRUE(hardware_->SwitchOn());
   robot::RobotState state;
-  hardware_->Sample(&state);
+  hardware_->Sample(&state, /*feels=*/false);
   // It turns by 0.01 rad in a step.
   EXPECT_LT(state.imu.R_WI.angularDistance(body().Imu().R_WI), 0.03);
 }
