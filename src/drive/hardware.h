@@ -53,8 +53,8 @@ class Hardware {
   void Send(const robot::RobotCommand& command, double t);
   void Act();
   void Sense();
-  // Fills `state`, which has the sample before, but for tick_ms, remote and motion. The cells of its
-  // hands' pads are filled if it `feels`.
+  // Fills `state`, which has the sample before, but for tick_ms, remote and motion. The cells of
+  // its hands' pads are filled if it `feels`.
   void Sample(robot::RobotState* state, bool feels) {
     sensors::Instant now = instant();
     now.feels = feels;
