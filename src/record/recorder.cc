@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include "bus/now.h"
 #include "idl/type_table.h"
@@ -24,6 +25,9 @@ constexpr std::size_t kMarks = 1 << 16;
 constexpr std::size_t kSheets = 4;  // *assumed*
 // Topics that are looked at; *assumed*, several times those of a robot and its programs.
 constexpr std::size_t kMostTopics = 512;
+// Frames are drawn and encoded where somebody reads them, which costs more than all else: they
+// would be for the recording alone.
+constexpr std::string_view kVideo = "unitree_go::msg::dds_::Go2FrontVideoData_";
 
 std::int64_t Monotonic() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 std::int64_t SinceEpoch() { return bus::Now().count(); }
@@ -166,6 +170,7 @@ void Recorder::Subscribe() {
     if (seen_.size() == kMostTopics || !seen_.insert(found).second) continue;
     if (seen_.size() == kMostTopics)
       say_("no further topics are recorded: there are too many", true);
+    if (found.type == kVideo) continue;
     const MessageType* type = FindMessageType(found.type);
     if (type == nullptr) {
       say_("topic " + found.topic + " is not recorded: its type " + found.type +

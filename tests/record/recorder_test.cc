@@ -9,6 +9,7 @@
 
 #include "bus/writer.h"
 #include "idl/std_msgs.h"
+#include "idl/unitree_go.h"
 #include "tests/bus/stranger.h"
 #include "tests/record/mcap_files.h"
 #include "tests/support/allocations.h"
@@ -326,6 +327,16 @@ TEST_F(RecorderTest, SaysWhichTopicItCannotRecord) {
   recorder.reset();
   EXPECT_THAT(said(), ElementsAre("topic rt/else is not recorded: its type somebody::Else is none "
                                   "of the vendor's"));
+}
+
+TEST_F(RecorderTest, LeavesVideoToThoseWhoWatchIt) {
+  const bus::Participant ours("lo", test::NewDomain());
+  bus::Writer<unitree_go_msg_dds__Go2FrontVideoData_> video(
+      ours, {"rt/video", &unitree_go_msg_dds__Go2FrontVideoData__desc});
+  bus::Writer<bus::Hello> hello(ours, kHello);
+  auto recorder = Start(ours, File());
+  EXPECT_TRUE(test::Eventually([&] { return hello.has_readers(); }));
+  EXPECT_FALSE(video.has_readers());
 }
 
 TEST_F(RecorderTest, AllocatesNothingInTheLoopsThread) {
