@@ -1,4 +1,4 @@
-"""Every row of docs/reference/faults.md but those of lidars and cameras, seen through the vendor's SDK: caused, seen, taken away, gone."""
+"""Every row of docs/reference/faults.md but those of lidars, cameras and hands, seen through the vendor's SDK: caused, seen, taken away, gone."""
 
 import cmath
 import math

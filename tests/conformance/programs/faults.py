@@ -1,4 +1,4 @@
-"""Causes every fault that `understudy faults` lists but those of a lidar, one after the other, on a clamped Go2 whose feet
+"""Causes every fault that `understudy faults` lists but those of lidar, camera and hands, one after the other, on a clamped Go2 whose feet
 press on the ground and whose FR calf swings, and prints what the vendor's types show of each: while
 it is there, and after it was taken away."""
 
@@ -26,8 +26,9 @@ NAMES = {
     "Service": "service.motion_switcher", "Bus": "bus.FR", "Fan": "fan.rear_right", "Mainboard": "mainboard",
     "Small controller of the mainboard": "mcu",
 }
-# LowState does not show these: tests/emulator/lidar_test.cc, tests/run/cameras_test.cc.
-ELSEWHERE = {"Lidar", "Camera"}
+# A Go2's LowState does not show these: tests/emulator/lidar_test.cc, tests/run/cameras_test.cc,
+# tests/emulator/hands_test.cc.
+ELSEWHERE = {"Lidar", "Camera", "Hand's program"}
 # In place of what is usual: so much that the leg leaves the ground, so fast or so far that it is seen at once.
 BY = {(f"{JOINT}.encoder", "noisy"): "0.02", (f"{JOINT}.encoder", "offset"): "0.3",
       (f"{JOINT}.encoder", "drifting"): "1", ("imu", "drifting"): "1", ("rt/lowstate", "jittery"): "0.05",
