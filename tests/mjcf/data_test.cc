@@ -74,8 +74,10 @@ std::string Contents(const mjModel& model, const mjData& data) {
   MJDATA_VECTOR
 #undef X
 #else
-  all.append(reinterpret_cast<const char*>(data.qpos), sizeof *data.qpos * model.nq);
-  all.append(reinterpret_cast<const char*>(data.qvel), sizeof *data.qvel * model.nv);
+  all.append(reinterpret_cast<const char*>(data.qpos),
+             sizeof *data.qpos * static_cast<std::size_t>(model.nq));
+  all.append(reinterpret_cast<const char*>(data.qvel),
+             sizeof *data.qvel * static_cast<std::size_t>(model.nv));
 #endif
   return all;
 }
