@@ -87,7 +87,7 @@ void Point(Sequence* sequence, std::span<Value> values) {
 
 robot::Refusal Decode(const inspire_inspire_hand_ctrl& message, const robot::HandSpec& spec,
                       robot::RobotCommand* command) {
-  const auto mode = static_cast<unsigned>(message.mode);
+  const unsigned mode = static_cast<std::uint8_t>(message.mode);
   for (const Register& one : kRegisters) {
     if ((mode & one.bit) != 0 && (message.*one.values)._length != spec.motors.size()) {
       return robot::Refusal::kMotorCount;
