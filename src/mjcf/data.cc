@@ -21,11 +21,11 @@ bool GrowsWithTheSquareOfRows(const mjData& data, const void* array) {
 
 // Makes whole pages of zeros take no memory until somebody writes there.
 void GiveBack(void* begin, std::size_t bytes) {
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto first = reinterpret_cast<std::uintptr_t>(begin);
-  const std::uintptr_t from = (first + page - 1) / page * page;
-  const std::uintptr_t to = (first + bytes) / page * page;
-  if (to > from) madvise(reinterpret_cast<void*>(from), to - from, MADV_DONTNEED);
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t over = reinterpret_cast<std::uintptr_t>(begin) % page;
+  const std::size_t before = over == 0 ? 0 : page - over;
+  if (bytes < before + page) return;
+  madvise(static_cast<char*>(begin) + before, (bytes - before) / page * page, MADV_DONTNEED);
 }
 #endif
 
