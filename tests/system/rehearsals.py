@@ -1,4 +1,4 @@
-"""Rehearsals from a shell, and what they leave. Whoever imports the fixture from here has it as its own."""
+"""Rehearsals from a shell, and what they leave. A file that imports the fixture from here has it as its own."""
 
 import json
 
