@@ -119,7 +119,7 @@ void AddHands(const Choice& choice, const std::filesystem::path& folder,
   YamlValue robot = *TakeOut(&file, "robot");
   YamlValue made = *TakeOut(&robot, "hands");
   for (YamlValue& hand : made.items) {
-    TakeOwnModels(folder, data_dir, hand.Find("models"));
+    if (YamlValue* models = hand.Find("models")) TakeOwnModels(folder, data_dir, models);
     YamlValue* motors = hand.Find("motors");
     const std::size_t all = motors->items.size();
     if (!choice.side.empty()) {

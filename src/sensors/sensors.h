@@ -81,13 +81,13 @@ class Sensors {
   std::vector<const robot::MotorSpec*> motors_;
   std::vector<MotorResolution> resolutions_;
   std::vector<double> foot_force_;  // N
-  std::vector<float> touch_force_;  // N, by cell
   ImuUnit imu_, secondary_imu_;
   robot::ImuReading told_imu_;  // of LowState, of the last step
   Odometer odometer_;
   LegOdometer legs_;
   FootSensors feet_;
   TouchSensors touch_;
+  std::vector<float> touch_force_;  // N, by cell
   Thermometers windings_, casings_;
   Noise body_, hands_;
 };

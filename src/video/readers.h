@@ -14,8 +14,8 @@ bool HasJoined(std::string_view igmp, std::string_view interface, const std::str
 // Returns whether `udp`, the text of /proc/net/udp, has a socket of that local port.
 bool IsOpen(std::string_view udp, int port);
 
-// Returns whether a program in this process's network reads kGroup at that port on that interface.
+// Returns whether a program in this thread's network reads kGroup at that port on that interface.
 bool IsRead(const std::string& interface, int port,
-            const std::filesystem::path& net = "/proc/self/net");
+            const std::filesystem::path& net = "/proc/thread-self/net");
 
 }  // namespace understudy::video
