@@ -24,7 +24,7 @@ constexpr char kSlabWithSkin[] = R"(
     <body name="hand">
       <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
       <geom type="box" size="0.05 0.05 0.01"/>
-      <site name="skin" type="box" pos="0 0 0.01" %s size="0.02 0.01 0.001"/>
+      <site name="skin" type="box" %s size="0.02 0.01 0.001"/>
     </body>
   </worldbody>
 </mujoco>)";
@@ -40,9 +40,11 @@ constexpr char kBallOnSlab[] = R"(
   </worldbody>
 </mujoco>)";
 
+constexpr char kOnTop[] = R"(pos="0 0 0.01")";
+
 class TouchTest : public test::MujocoTest {
  protected:
-  // Rests the ball on a slab whose site has this attribute and reads the cells.
+  // Rests the ball on a slab whose site has these attributes and reads the cells.
   void Rest(const std::string& site, const std::vector<robot::PadSpec>& pads) {
     const test::TemporaryFolder folder;
     std::string text = kSlabWithSkin;
@@ -68,7 +70,7 @@ class TouchTest : public test::MujocoTest {
 };
 
 TEST_F(TouchTest, ACellFeelsAllOfWhatSitsOnItAndItsNeighboursLessByDistance) {
-  Rest("", {{.site = "skin", .rows = 2, .columns = 4}});
+  Rest(kOnTop, {{.site = "skin", .rows = 2, .columns = 4}});
   EXPECT_NEAR(cells_[2], kWeight, 0.05);
   EXPECT_NEAR(cells_[1] / cells_[2], 0.0439, 0.001) << "exp(-(10/4)²/2)";
   EXPECT_NEAR(cells_[3] / cells_[2], 0.0439, 0.001);
@@ -77,25 +79,32 @@ TEST_F(TouchTest, ACellFeelsAllOfWhatSitsOnItAndItsNeighboursLessByDistance) {
 }
 
 TEST_F(TouchTest, WhatPressesOnTheBackIsFeltByNoCellButPressesOnTheHand) {
-  Rest(R"(quat="0 1 0 0")", {{.site = "skin", .rows = 2, .columns = 4}});
+  Rest(R"(pos="0 0 0.01" quat="0 1 0 0")", {{.site = "skin", .rows = 2, .columns = 4}});
   EXPECT_THAT(cells_, Each(0.0F));
   EXPECT_NEAR(forces_[1], kWeight, 0.05);
 }
 
+TEST_F(TouchTest, WhatPressesFurtherThanItsReachFromTheSkinIsNotFelt) {
+  Rest(R"(pos="0 0 0.004")", {{.site = "skin", .rows = 2, .columns = 4}});
+  EXPECT_NEAR(cells_[2], kWeight, 0.05) << "6 mm over the skin";
+  Rest(R"(pos="0 0 0")", {{.site = "skin", .rows = 2, .columns = 4}});
+  EXPECT_THAT(cells_, Each(0.0F)) << "10 mm";
+}
+
 TEST_F(TouchTest, PadsKeepTheirPlaceBehindThoseThatTheModelLacks) {
-  Rest("", {{.rows = 2, .columns = 4},
-            {.site = "none", .rows = 2, .columns = 4},
-            {.site = "skin", .rows = 2, .columns = 4}});
+  Rest(kOnTop, {{.rows = 2, .columns = 4},
+                {.site = "none", .rows = 2, .columns = 4},
+                {.site = "skin", .rows = 2, .columns = 4}});
   EXPECT_NEAR(cells_[16 + 2], kWeight, 0.05);
   cells_.resize(16);
   EXPECT_THAT(cells_, Each(0.0F));
 }
 
 TEST_F(TouchTest, OnlyHandsWithPadsTellAForce) {
-  Rest("", {{.site = "skin", .rows = 2, .columns = 4}});
+  Rest(kOnTop, {{.site = "skin", .rows = 2, .columns = 4}});
   EXPECT_EQ(forces_[0], 0);
   EXPECT_NEAR(forces_[1], kWeight, 0.05);
-  Rest("", {{.rows = 2, .columns = 4}});
+  Rest(kOnTop, {{.rows = 2, .columns = 4}});
   EXPECT_THAT(cells_, Each(0.0F));
   EXPECT_EQ(forces_[1], 0);
 }
