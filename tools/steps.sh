@@ -70,6 +70,7 @@ beside() {
   beside_pid[$1]=$!
 }
 
+# Lines that begin with "said: " are shown of a step that passes, too.
 joined_step() {
   announce "$1"
   wait_for "$1"
@@ -80,7 +81,10 @@ wait_for() {
   local code=0 pid=${beside_pid[$1]}
   wait "$pid" || code=$?
   unset "beside_pid[$1]"
-  [[ $code -ne 0 ]] || return 0
+  if [[ $code -eq 0 ]]; then
+    grep '^said: ' "$plan_log/$1.log" || true
+    return 0
+  fi
   grep -v ' Passed  ' "$plan_log/$1.log" >&2
   echo "failed: $1 (code $code); all that it said is in $plan_log/$1.log" >&2
   end_all
