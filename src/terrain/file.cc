@@ -148,11 +148,12 @@ std::string SceneXml(const TerrainPieces& terrain, const std::string& name, doub
           Numbers({0, 0, terrain.floor()}) + "\" material=\"floor\"" +
           FloorColour(terrain.floor_colour()) + Contact(friction) + "/>\n";
   // Groups the pieces into static bodies: MuJoCo 2 tests all pairs of geoms of two nearby bodies,
-  // and the world body is near everything.
+  // and the world body is near everything. A body with a height field would be so too: MuJoCo has
+  // room for the pairs of each two bodies once, which the pairs of such bodies do not all fit in.
   std::map<std::pair<int, int>, std::string> bodies;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::string geom = Geom(pieces[i], i, terrain.floor());
-    (pieces[i].solid ? bodies[CellOf(pieces[i])] : text) += geom;
+    const bool of_world = !pieces[i].solid || pieces[i].shape == PieceShape::kHeights;
+    (of_world ? text : bodies[CellOf(pieces[i])]) += Geom(pieces[i], i, terrain.floor());
   }
   for (const auto& [cell, geoms] : bodies) text += "    <body>\n" + geoms + "    </body>\n";
   return text + "  </worldbody>\n</mujoco>\n";

@@ -231,6 +231,15 @@ TEST_F(TerrainTest, APatchLooksTheSameWhateverStandsBeforeIt) {
   EXPECT_NEAR(Height(12, 0), box, 1e-9);
 }
 
+TEST_F(TerrainTest, PatchesOfHeightsMayBeManyAndWide) {
+  for (const std::size_t count : {1, 6}) {
+    spec_.size = {8, 16};
+    spec_.patches.assign(count, {.kind = "rough", .difficulty = 1});
+    Load("row");  // MuJoCo has no room for the pairs of bodies with height fields
+    EXPECT_EQ(model_->nhfield, count);
+  }
+}
+
 TEST_F(TerrainTest, FlatIsTheFlatSceneOfTheModels) {
   const mjcf::ModelHandle made = physics::LoadModelFile(Write("flat") / "scene.xml");
   const mjcf::ModelHandle drawn = physics::LoadModelFile(
