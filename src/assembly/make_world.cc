@@ -17,6 +17,7 @@
 #include "mjcf/join.h"
 #include "mjcf/randomize_model.h"
 #include "motion/controllers.h"
+#include "physics/contacts.h"
 #include "physics/world_model.h"
 
 namespace understudy::assembly {
@@ -88,6 +89,7 @@ mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
   if (model == nullptr) {
     model = physics::LoadWorldModel(PlacedRobots(*config), around, timestep, &loaded);
   }
+  if (config->physics.contacts == config::ContactModel::kPyramid) physics::UsePyramids(model.get());
   malloc_trim(0);  // compiling needs many times the memory of the result, which may be locked later
   Add(std::move(loaded), notes);
   return model;

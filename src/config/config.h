@@ -57,8 +57,12 @@ struct RecordingConfig {
   double ros_hz = 50;  // of /tf, /joint_states and /clock; 0: none of ROS's topics; assumed
 };
 
+// How contacts are computed: as the models say, or as physics::UsePyramids does.
+enum class ContactModel { kModel, kPyramid };
+
 struct PhysicsConfig {
   double timestep = 0.001;  // s; also the period of the motor law; assumed
+  ContactModel contacts = ContactModel::kModel;
   DivergenceAction on_divergence = DivergenceAction::kStop;
 };
 

@@ -70,6 +70,7 @@ constexpr FixedSetting kFixed[] = {
     {"time.speed", "the request `speed` changes it"},
     {"time.", "it is for the start"},
     {"recording.", "its topics are announced at the start"},
+    {"physics.contacts", "it is part of the compiled model"},
     {"physics.timestep", "rates, delays and filters are counted in it"},
     {"sensors.seed", "what is drawn has been drawn from it"},
     {"sensors.imu.attitude", "a filter that has not run knows no attitude"},
