@@ -1,6 +1,8 @@
 #include "assembly/simulation.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -35,8 +37,16 @@ Simulation::Simulation(const Simulation& like, const PortsOf& ports)
   Make();
 }
 
-void Simulation::Begin(int seed) {
+void Simulation::Begin(int seed, const std::vector<Place>& at) {
+  constexpr double kFurthest = 1000;  // m, rad; as of the key start.at
+  const auto is_far = [](double x) { return !(std::abs(x) <= kFurthest); };
+  if (at.size() > given_.robots.size() ||
+      std::ranges::any_of(at, [&](const Place& one) { return std::ranges::any_of(one, is_far); })) {
+    throw std::invalid_argument(Printed("begin: expected places of %zu robots at most, within %g",
+                                        given_.robots.size(), kFurthest));
+  }
   config_ = given_;
+  for (std::size_t i = 0; i < at.size(); ++i) config_.robots[i].start.at = at[i];
   config_.randomization.seed = seed;
   for (config::RobotConfig& robot : config_.robots) robot.sensors.seed = seed;
   try {

@@ -1,6 +1,7 @@
 // A world within this process, which runs as its owner steps it.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <string_view>
@@ -15,6 +16,9 @@
 #include "emulator/world.h"
 
 namespace understudy::assembly {
+
+// x, y [m] and yaw [rad] in the world.
+using Place = std::array<double, 3>;
 
 // Has no thread, no network and no log, and never waits. For one thread
 // (docs/reference/embedding.md).
@@ -33,9 +37,11 @@ class Simulation {
   // Begins anew with other seeds, of the sensors and of what is drawn at random: bit for bit as a
   // new simulation whose sensors.seed and randomization.seed are `seed`, which must not be
   // negative. Nothing is compiled but for a time step that is drawn for the first time. World,
-  // notes and draws are new ones, in the memory of the old; ports are cleared. Throws as the
-  // constructor; then it has begun as at first.
-  void Begin(int seed);
+  // notes and draws are new ones, in the memory of the old; ports are cleared. `at` has places of
+  // the first robots in place of their start.at, within a kilometre; a fixed base stays where it
+  // is. Throws as the constructor; then it has begun as at first. Throws std::invalid_argument for
+  // places of more robots than there are, or further away, and has not begun.
+  void Begin(int seed, const std::vector<Place>& at = {});
 
   // Carries out a request (docs/reference/requests.md) such as "push" with its values before the
   // next step. Throws ControlError with the reason if it is refused. One that takes time, such as

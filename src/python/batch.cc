@@ -100,9 +100,12 @@ void Batch::Step(double seconds) {
   });
 }
 
-void Batch::Begin(std::span<const std::size_t> robots, std::span<const int> seeds) {
+void Batch::Begin(std::span<const std::size_t> robots, std::span<const int> seeds,
+                  std::span<const assembly::Place> at) {
   OverThreads(robots.size(), [&](std::size_t i) {
-    worlds_[robots[i]]->Begin(seeds[i]);
+    std::vector<assembly::Place> own;
+    if (!at.empty()) own.push_back(at[i]);
+    worlds_[robots[i]]->Begin(seeds[i], own);
     worlds_[robots[i]]->simulation().Step();
     Read(robots[i]);
   });

@@ -39,8 +39,10 @@ class Batch {
   // the others have been stepped, and std::invalid_argument as World::StepsOf.
   void Step(double seconds);
   // Begins the episodes of these robots anew, each by its seed, and makes one step, so that there
-  // is a state. `seeds` has as many as `robots`.
-  void Begin(std::span<const std::size_t> robots, std::span<const int> seeds);
+  // is a state. `seeds` has as many as `robots`, and so has `at`, or it is empty: the robots are
+  // where their configuration has them. Throws as World::Begin.
+  void Begin(std::span<const std::size_t> robots, std::span<const int> seeds,
+             std::span<const assembly::Place> at = {});
 
   const std::vector<Column>& columns() const { return columns_; }
 

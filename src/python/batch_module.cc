@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
@@ -74,22 +75,28 @@ void BindBatch(nb::module_& m) {
            "diverges.")
       .def(
           "begin",
-          [](Batch& batch, const std::vector<std::size_t>& robots, const std::vector<int>& seeds) {
-            if (robots.size() != seeds.size()) {
-              throw std::invalid_argument("begin: expected as many seeds as robots, got " +
-                                          std::to_string(seeds.size()) + " and " +
+          [](Batch& batch, const std::vector<std::size_t>& robots, const std::vector<int>& seeds,
+             const std::vector<assembly::Place>& at) {
+            const auto require = [&](const char* what, std::size_t count) {
+              if (count == robots.size()) return;
+              throw std::invalid_argument("begin: expected as many " + std::string(what) +
+                                          " as robots, got " + std::to_string(count) + " and " +
                                           std::to_string(robots.size()));
-            }
+            };
+            require("seeds", seeds.size());
+            if (!at.empty()) require("places", at.size());
             for (const std::size_t robot : robots) {
               if (robot >= batch.size()) {
                 throw std::invalid_argument("begin: there is no robot " + std::to_string(robot));
               }
             }
             const nb::gil_scoped_release release;
-            batch.Begin(robots, seeds);
+            batch.Begin(robots, seeds, at);
           },
-          "robots"_a, "seeds"_a,
-          "Begins new episodes of robots, by their places, each by its seed, and makes one step.");
+          "robots"_a, "seeds"_a, "at"_a = std::vector<assembly::Place>(),
+          "Begins new episodes of robots, by their numbers, each by its seed, and makes one step. "
+          "`at`, shape (robots, 3), has x, y [m] and yaw [rad] of each in the world; without it "
+          "they begin at start.at.");
 }
 
 }  // namespace understudy::python

@@ -12,6 +12,7 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
@@ -340,14 +341,15 @@ void BindWorld(nb::module_& m) {
           "warnings about the models, and what was drawn at random")
       .def(
           "begin",
-          [](World& w, int seed) {
+          [](World& w, int seed, const std::vector<assembly::Place>& at) {
             const nb::gil_scoped_release release;
-            w.Begin(seed);
+            w.Begin(seed, at);
           },
-          "seed"_a,
+          "seed"_a, "at"_a = std::vector<assembly::Place>(),
           "Begins an episode: bit for bit as a new World of that seed, but without compiling. "
           "Time is 0, and there is no State before the first step. Events that nobody has taken "
-          "are gone.")
+          "are gone. `at` has x, y [m] and yaw [rad] of the first robots, in place of their "
+          "start.at; a fixed base stays.")
       .def("step", &Step, "seconds"_a = 0.001,
            "Steps by so many seconds of simulated time, a whole number of steps. Other threads of "
            "Python run meanwhile. Raises RuntimeError when the physics diverges.")

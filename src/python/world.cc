@@ -27,10 +27,16 @@ World::World(const assembly::Simulation& like) {
   BeginPorts();
 }
 
-void World::Begin(int seed) {
+void World::Begin(int seed, const std::vector<assembly::Place>& at) {
   if (seed < 0) throw std::invalid_argument("begin: expected a seed of 0 or more");
-  events_.clear();
-  simulation_->Begin(seed);
+  try {
+    simulation_->Begin(seed, at);
+  } catch (const std::invalid_argument&) {  // it has not begun
+    throw;
+  } catch (...) {  // it has begun as at first
+    BeginPorts();
+    throw;
+  }
   BeginPorts();
 }
 

@@ -23,7 +23,7 @@ class World : public std::enable_shared_from_this<World> {
   explicit World(const assembly::Simulation& like);
 
   // As assembly::Simulation::Begin; commands that wait and events that nobody has taken are gone.
-  void Begin(int seed);
+  void Begin(int seed, const std::vector<assembly::Place>& at = {});
 
   assembly::Simulation& simulation() { return *simulation_; }
   assembly::CommandPort& port(std::size_t robot) { return ports_[robot]; }

@@ -1,5 +1,6 @@
 #include "assembly/simulation.h"
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -221,6 +222,29 @@ TEST_F(SimulationTest, BeginsAnewAsANewOneOfThatSeedWould) {
     simulation.Begin(3);
     EXPECT_EQ(ToldBy(&simulation), third);
   }
+}
+
+TEST_F(SimulationTest, BeginsWhereItIsAskedTo) {
+  Simulation simulation(ConfigOf("go2", {"start.pose=standing", "scene=stairs_up",
+                                         "terrain.size=[8, 4]", "terrain.difficulty=0.5"}));
+  const auto base = [&] { return simulation.world().physics().robot(0).base_position(); };
+  const double height = base()[2];
+  simulation.Begin(1, {{8.9, -1, 1}});  // on the landing: ten steps of 12 cm
+  EXPECT_EQ(base()[0], 8.9);
+  EXPECT_EQ(base()[1], -1);
+  EXPECT_NEAR(base()[2], height + 1.2, 0.01) << "set down on the ground there";
+  EXPECT_NEAR(2 * std::atan2(base()[6], base()[3]), 1, 1e-6) << "turned";
+  simulation.Begin(1);
+  EXPECT_EQ(base()[0], 0) << "the next time it begins where it is configured to";
+}
+
+TEST_F(SimulationTest, RefusesAPlaceOfNobodyOrNowhereAndGoesOn) {
+  Simulation simulation(ConfigOf("go2"));
+  simulation.Step(3);
+  EXPECT_THROW(simulation.Begin(1, {{0, 0, 0}, {1, 0, 0}}), std::invalid_argument);
+  EXPECT_THROW(simulation.Begin(1, {{1001, 0, 0}}), std::invalid_argument);
+  EXPECT_THROW(simulation.Begin(1, {{std::nan(""), 0, 0}}), std::invalid_argument);
+  EXPECT_NEAR(simulation.world().time(), 0.003, 1e-9);
 }
 
 TEST_F(SimulationTest, BeginsAnewInTheMemoryThatItHas) {

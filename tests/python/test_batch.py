@@ -62,6 +62,18 @@ def test_an_episode_begins_as_the_first_of_that_seed_did():
     assert batch.robots[2].time == pytest.approx(0.001) and batch.robots[1].time == pytest.approx(0.401)
 
 
+def test_an_episode_begins_where_it_is_asked_to():
+    batch = understudy.Batch("go2", 3, set=SETS)
+    batch.begin([0, 2], [1, 2], at=np.array([[4, -1, 0], [-3, 2, 1.5]]))
+    assert batch.truth["position"][:, :2] == pytest.approx(np.array([[4, -1], [0, 0], [-3, 2]]), abs=0.01)
+    assert 2 * np.arctan2(batch.truth["attitude"][2, 3], batch.truth["attitude"][2, 0]) == pytest.approx(1.5, abs=0.01)
+    with pytest.raises(ValueError, match="as many places as robots, got 1 and 2"):
+        batch.begin([0, 1], [1, 2], at=[[0, 0, 0]])
+    with pytest.raises(ValueError, match="within 1000"):
+        batch.begin([0], [1], at=[[2000, 0, 0]])
+    batch.step(0.02)
+
+
 def test_episodes_of_other_seeds_have_other_draws():
     batch = understudy.Batch("go2", 2, set=SETS, seed=1)
     run(batch)
