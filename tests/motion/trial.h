@@ -20,6 +20,7 @@ struct Trial {
   std::string ground;  // the name of a TrialGround
   double push = 0;     // N·s/kg, 0.1 s long
   int seed = 0;
+  std::string policy{};  // the definition that walks a quadruped; "": the robot's own controller
 };
 
 struct Outcome {

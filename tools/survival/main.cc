@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -70,6 +71,7 @@ class Made {
       Outcome outcome;
       if (words >> trial.robot >> trial.ground >> trial.push >> trial.seed >> outcome.fell >>
           outcome.righted >> outcome.got_there) {
+        std::getline(words >> std::ws, trial.policy);
         made_[KeyOf(trial)] = outcome;
       }
     }
@@ -82,15 +84,16 @@ class Made {
     if (!file_.empty()) {
       std::ofstream(file_, std::ios::app)
           << trial.robot << ' ' << trial.ground << ' ' << trial.push << ' ' << trial.seed << ' '
-          << outcome.fell << ' ' << outcome.righted << ' ' << outcome.got_there << '\n';
+          << outcome.fell << ' ' << outcome.righted << ' ' << outcome.got_there
+          << (trial.policy.empty() ? "" : " ") << trial.policy << '\n';
     }
     return outcome;
   }
 
  private:
-  using Key = std::tuple<std::string, std::string, double, int>;
+  using Key = std::tuple<std::string, std::string, double, int, std::string>;
   static Key KeyOf(const Trial& trial) {
-    return {trial.robot, trial.ground, trial.push, trial.seed};
+    return {trial.robot, trial.ground, trial.push, trial.seed, trial.policy};
   }
 
   std::string file_;
@@ -111,11 +114,12 @@ Interval Wilson(int k, int n) {
   return {middle - half, middle + half};
 }
 
-void PrintRow(const Trial& trial, const Course& course, int first, int runs, Made* made) {
+void PrintRow(Trial trial, const Course& course, int first, int runs, Made* made) {
   int kept = 0, there = 0, righted = 0;
   std::string failed;
   for (int seed = first; seed < first + runs; ++seed) {
-    const Outcome outcome = made->Of({trial.robot, trial.ground, trial.push, seed}, course);
+    trial.seed = seed;
+    const Outcome outcome = made->Of(trial, course);
     kept += outcome.fell < 0;
     there += outcome.fell < 0 && outcome.got_there;
     righted += outcome.fell >= 0 && outcome.righted;
@@ -155,7 +159,7 @@ int Main(int argc, char** argv) {
                "survival");
   double push = -1;
   int runs = 40, first = 1, trace = 0;
-  std::string file, version;
+  std::string file, version, policy;
   app.add_option("--robots", robots, "Robots [all quadrupeds]")->delimiter(',');
   app.add_option("--grounds", grounds, "Grounds [all]")
       ->delimiter(',')
@@ -172,6 +176,8 @@ int Main(int argc, char** argv) {
                  "The version counted: the first seed is its hash, and nobody's choice. For "
                  "humanoids `git rev-parse HEAD:src/motion/humanoid`")
       ->excludes(from);
+  app.add_option("--policy", policy, "A deploy.yaml that walks the quadrupeds in place of the trot")
+      ->check(CLI::ExistingFile);
   app.add_option("--file", file, "Keeps every run there, and goes on from what it has");
   app.add_option("--trace", trace,
                  "Shows the run of that seed, every 20 ms, in place of the table");
@@ -196,11 +202,14 @@ int Main(int argc, char** argv) {
   }
   for (const std::string& robot : robots) {
     const robot::RobotSpec spec = SpecOf(robot);
+    if (!policy.empty() && !robot::IsQuadruped(spec.kind)) {
+      throw std::invalid_argument(robot + ": --policy walks quadrupeds only");
+    }
     const Course course = CourseOf(spec);
     for (const TrialGround& ground : course.grounds) {
       if (!grounds.empty() && std::ranges::count(grounds, ground.name) == 0) continue;
-      const Trial trial{robot, ground.name, push < 0 ? course.push(spec, ground.name) : push,
-                        trace};
+      const Trial trial{robot, ground.name, push < 0 ? course.push(spec, ground.name) : push, trace,
+                        policy};
       if (trace == 0) {
         PrintRow(trial, course, first, runs, &made);
       } else {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include <spdlog/spdlog.h>
 
 #include "assembly/make_world.h"
+#include "authority/onboard.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "robot/randomization.h"
@@ -113,6 +115,15 @@ config::Config ConfigOf(const Trial& trial, robot::Randomizer* randomizer) {
         "terrain.seed=" + seed, "sensors.seed=" + seed, std::string("terrain.size=[14, 8]"),
         "terrain.friction=" + std::to_string(randomizer->Draw("friction", "", 0.4, 1.2))}) {
     sets.push_back(set);
+  }
+  if (!trial.policy.empty()) {
+    const config::RobotConfig robot = load(sets).robots[0];
+    const std::string service =
+        "robot.services." +
+        authority::MotionService(robot.spec, authority::StartService(robot.spec, robot.motion))
+            .name;
+    sets.push_back(service + ".controller=policy");
+    sets.push_back(service + ".policy=" + std::filesystem::absolute(trial.policy).string());
   }
   return load(sets);
 }
