@@ -68,8 +68,8 @@ void DescribePhysics(Archive& a, PhysicsConfig& c) {
         {"s", {0.0001, 0.01}, "Physics step and period of the motor law (the default is assumed)"});
   a.Choice(
       UNDERSTUDY_NVP(c.contacts),
-      {"How contacts are computed: as the robot's model says, or for training with pyramids in "
-       "place of friction cones, which is several times as fast for a Go2"},
+      {"Contacts as the model of the robot has them, or pyramids in place of friction cones: for "
+       "training, several times as fast for a Go2"},
       {"model", "pyramid"});
   a.Choice(UNDERSTUDY_NVP(c.on_divergence), {"What to do when the physics diverges"},
            {"stop", "reset"});
