@@ -1,5 +1,8 @@
 """The environments of Gymnasium."""
 
+import dataclasses
+import types
+
 import gymnasium
 import numpy as np
 import pytest
@@ -8,7 +11,7 @@ from gymnasium.utils.env_checker import check_env
 import understudy
 import understudy.envs
 
-NAMES = ["Understudy/Go2Flat-v0", "Understudy/G1Flat-v0"]
+NAMES = ["Understudy/Go2Flat-v0", "Understudy/G1Flat-v0", "Understudy/Go2Rough-v0"]
 
 
 def made(count, name="Understudy/Go2Flat-v0", **how):
@@ -40,6 +43,15 @@ def test_robots_do_not_depend_on_their_number_nor_on_threads():
     assert (run(made(1), first=2)[:, 0] == all_of_them[:, 2]).all()
 
 
+def test_each_robot_may_have_a_seed_of_its_own():
+    envs = made(2)
+    first, _ = envs.reset(seed=[7, 3])
+    second, _ = envs.reset(seed=3)
+    assert (first[1] == second[0]).all() and (first[0] != second[0]).any()
+    with pytest.raises(ValueError, match="expected one number, or 2, got 3"):
+        envs.reset(seed=[1, 2, 3])
+
+
 def test_an_episode_that_ends_begins_anew_and_leaves_its_last_observation():
     envs = made(3)
     envs.reset(seed=1)
@@ -57,7 +69,7 @@ def test_an_episode_that_ends_begins_anew_and_leaves_its_last_observation():
 
 
 def test_an_episode_ends_after_its_time_without_a_fall():
-    env = gymnasium.make(NAMES[0]).unwrapped
+    env = understudy.envs.WalkEnv(dataclasses.replace(understudy.envs.TASKS["go2_flat"], push=0))
     env.reset(seed=1)
     steps = round(env._all.task.episode / env._all.dt)
     for step in range(steps):
@@ -74,6 +86,62 @@ def test_what_is_rewarded_is_the_commanded_velocity():
     assert reward[0] > reward[1] + 0.02  # both stand; 1.5 a second for the velocity
     terms = envs.reward_terms()
     assert terms["velocity"][0] > 0.95 and terms["velocity"][1] < 0.1 and set(terms) | {"fall"} == set(envs.task.weights)
+
+
+def test_a_landing_counts_by_its_time_in_the_air_while_the_robot_is_to_walk():
+    envs = made(1).unwrapped
+    envs.reset(seed=1)
+    truth, strides = dict(envs.batch.truth), []
+    envs.batch = types.SimpleNamespace(truth=truth, state=envs.batch.state)
+    envs.velocity[:] = [0.5, 0, 0]
+    for step in range(20):
+        in_air = [step < 16, step < 6, False, True]  # 0.32 s, 0.12 s, never, still
+        truth["contact_force"] = np.where(in_air, 0, 30)[None]
+        envs._walk()
+        strides.append(envs.reward_terms()["stride"][0])
+    landings = {step: stride for step, stride in enumerate(strides) if stride != 0}
+    assert landings == {6: pytest.approx(0.14 - 0.2), 16: pytest.approx(min(0.34 - 0.2, 0.2))}
+    envs.velocity[:] = 0
+    envs._touched[:], truth["contact_force"] = False, np.full((1, 4), 30.0)
+    envs._walk()
+    assert envs.landed.all() and envs.reward_terms()["stride"][0] == 0
+
+
+def test_pushes_come_within_their_time_and_follow_from_the_seed():
+    def pushes(seed, count=1):
+        task = dataclasses.replace(understudy.envs.TASKS["go2_flat"], push_time=1.0)
+        envs = understudy.envs.WalkVectorEnv(task, count)
+        envs.reset(seed=seed)
+        for _ in range(160):  # 3.2 s
+            envs.step(np.zeros((count, 12)))
+        robot = envs.batch.robots[count - 1]
+        return [(event["time"], event["text"]) for event in robot.take_events() if event["kind"] == "push"]
+
+    found = pushes(3)
+    times = np.array([time for time, _ in found])
+    assert len(found) >= 3 and (np.diff(times) < 1.05).all() and times[0] < 1.05
+    assert pushes(2, count=2) == found != pushes(4)
+
+
+def test_a_course_has_harder_ground_for_those_that_go_on():
+    envs = made(6, NAMES[2]).unwrapped
+    envs.reset(seed=1)
+    course, position = envs.task.course, envs.batch.truth["position"]
+    assert position[:, 0] == pytest.approx([course.place(0, i) for i in range(6)], abs=0.01)
+    assert (envs.batch.truth["tilt"] < 0.3).all(), "they stand on what is there"
+    envs.level[:] = [0, 0, 3, 3, 5, 5]
+    envs._asked[:] = [4, 4, 0, 4, 4, 4]
+    envs._begun[:] = position[:, :2]
+    envs._begun[[0, 4]] += [2.5, 0]  # so far have they come
+    envs._begun[5] += [1.5, 0]
+    envs._promote(np.arange(6), np.array([False, False, True, False, False, False]))
+    assert envs.level.tolist() == [1, 0, 2, 2, 5, 5]
+    envs._begin(np.arange(6))
+    assert position[:, 0] == pytest.approx([course.place(level, i) for i, level in enumerate(envs.level)], abs=0.01)
+    patches = course.settings()["terrain.patches"]
+    assert patches[-1]["difficulty"] == course.hardest > patches[0]["difficulty"]
+    envs.reset(seed=1)
+    assert (envs.level == 0).all()
 
 
 def test_a_humanoid_begins_on_its_feet_and_is_let_go():
@@ -96,7 +164,7 @@ def test_the_attitude_turns_vectors_of_the_world_into_the_bases_axes():
 
 def test_another_definition_and_other_settings_are_taken(tmp_path):
     file = tmp_path / "deploy.yaml"
-    text = (understudy.envs.TASKS / "go2_flat.yaml").read_text()
+    text = (understudy.envs.DEFINITIONS / "go2_flat.yaml").read_text()
     file.write_text(text.replace("  last_action: {params: {}, clip: [-100, 100]}\n", ""))
     envs = made(1, definition=file, set={"terrain.friction": 0.3})
     assert envs.single_observation_space.shape == (33,) and run(envs, 3).shape == (3, 1, 36)

@@ -9,6 +9,7 @@ import sys
 import time
 
 import numpy as np
+import pytest
 
 import understudy.envs
 
@@ -31,7 +32,7 @@ class Crouch(understudy.envs.WalkVectorEnv):
     """What is learned in seconds: to lower the base to 0.22 m."""
 
     TASK = dataclasses.replace(
-        understudy.envs.FLAT["go2"], weights={"low": 1.0, "fall": -5.0}, episode=2.0, lowest=0.1
+        understudy.envs.TASKS["go2_flat"], weights={"low": 1.0, "fall": -5.0}, episode=2.0, lowest=0.1
     )  # fmt: skip
 
     def reward_terms(self):
@@ -59,11 +60,43 @@ def test_the_reward_rises_and_the_policy_is_deployed_by_the_same_definition(tmp_
     assert robot.truth.tilt < 0.5 and not [event for event in robot.take_events() if event["kind"] == "refused"]
 
 
+def test_weights_that_are_no_numbers_are_not_saved(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(TRAIN.parent)
+    from train import Learner, train as train_in_process
+
+    learner = Learner(45, 12, seed=2)
+    envs = Crouch(Crouch.TASK, 4)
+    train_in_process(tmp_path, envs, learner, lambda: learner.iteration == 1)
+    before = (tmp_path / "checkpoint.pickle").read_bytes()
+    monkeypatch.setattr(learner, "learn", lambda seen: learner.actor.parameters[-1].fill(np.nan))
+    with pytest.raises(SystemExit, match="the last checkpoint of .* is whole"):
+        train_in_process(tmp_path, envs, learner, lambda: False)
+    assert (tmp_path / "checkpoint.pickle").read_bytes() == before
+
+
 def test_the_same_seed_gives_the_same_policy_and_another_does_not(tmp_path):
     for name, seed in (("a", 1), ("b", 1), ("c", 2)):
         train(tmp_path / name, "--iterations", "2", "--seed", seed)
     a, b, c = ((tmp_path / name / "deploy.safetensors").read_bytes() for name in "abc")
     assert a == b != c
+
+
+def test_tensorboard_shows_what_progress_has(tmp_path):
+    from tensorboardX.proto.event_pb2 import Event
+
+    train(tmp_path, "--iterations", "2", "--tensorboard")
+    (file,) = tmp_path.glob("events.out.tfevents.*")
+    data, shown = file.read_bytes(), {}
+    while data:  # a record: its length, a checksum, the event, another checksum
+        length = int.from_bytes(data[:8], "little")
+        event, data = Event.FromString(data[12 : 12 + length]), data[16 + length :]
+        for value in event.summary.value:
+            shown.setdefault(value.tag, []).append((event.step, value.simple_value))
+    told = progress(tmp_path)
+    assert set(shown) == set(told.dtype.names) - {"iteration", "samples", "seconds"}
+    for tag, values in shown.items():
+        assert [step for step, _ in values] == list(told["samples"])
+        assert [value for _, value in values] == [pytest.approx(one, rel=1e-4) for one in told[tag]]
 
 
 def test_ctrl_c_loses_nothing_and_the_next_run_goes_on(tmp_path):

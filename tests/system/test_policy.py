@@ -68,6 +68,16 @@ def test_a_policy_whose_robot_falls_damps_and_ends_with_code_1(understudy, tmp_p
     assert "it fell" in written.stdout and "damping" in written.stdout
 
 
+def test_the_walk_of_the_training_example_is_not_passed_by_standing(understudy, tmp_path):
+    walk = POLICY.parent / "training" / "go2_flat" / "walk.yaml"
+    judged = understudy("rehearse", walk, "--out", tmp_path / "judged", "--", "sh", "-c",
+                        f"{sys.executable} {POLICY}/standing.py go2 {tmp_path}/walk.npz && "
+                        f"{sys.executable} {POLICY}/deploy.py {tmp_path}/walk.npz lo --at-once --seconds 8")
+    assert judged.returncode == 10, judged.stdout + judged.stderr
+    failed = re.findall("FAIL  (.*?)  ", judged.stdout.split("the script was refused")[1])
+    assert failed == ["is as fast as commanded", "is not faster"], judged.stdout  # their window never began
+
+
 def test_a_policy_that_fits_is_tried_and_its_joints_are_shown(understudy, tmp_path):
     done = understudy("policy", "check", write_policy(tmp_path), "--robot", "go2", "--velocity", "0.5", "0", "0")
     assert done.returncode == 0, done.stdout + done.stderr

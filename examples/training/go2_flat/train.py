@@ -7,6 +7,8 @@ Run it again with the same FOLDER to go on. Ctrl-C ends it after the iteration t
   deploy.yaml, deploy.safetensors     the policy, for `understudy policy check`, understudy.Policy and the motion service
   walk.npz            the same policy for examples/policy/deploy.py
 
+With --tensorboard also event files for TensorBoard, by the package tensorboardX.
+
 It needs the package `understudy-robot` with its extra `gym`. The method is that of J. Schulman et al., "Proximal policy
 optimization algorithms", 2017; its numbers are usual ones of legged robots: assumed.
 """
@@ -28,7 +30,8 @@ import understudy  # noqa: E402
 import understudy.envs  # noqa: E402
 
 HIDDEN = (128, 128)
-STEPS, EPOCHS, PARTS = 24, 5, 2  # of an iteration: steps of each robot, passes over them, parts of a pass
+COLUMNS = ("iteration", "samples", "seconds", "reward_per_s", "ends_per_s", "deviation", "rate")  # of progress.csv
+STEPS, EPOCHS, PARTS = 24, 4, 4  # of an iteration: steps of each robot, passes over them, parts of a pass
 DISCOUNT, TRACE, CLIP = 0.99, 0.95, 0.2
 WANTED_KL, ENTROPY, LARGEST_GRADIENT, CRITIC_RATE = 0.01, 0.003, 1.0, 1e-3
 
@@ -211,11 +214,11 @@ def save(folder, learner, envs):
              kd=definition.kd, scale=0.25, gyro_scale=0.2, dq_scale=0.05, command_scale=np.ones(3), **arrays)  # fmt: skip
 
 
-def train(folder, envs, learner, until):
-    """Trains until until() says so, or Ctrl-C."""
+def train(folder, envs, learner, until, board=None):
+    """Trains until until() says so, or Ctrl-C. board: a tensorboardX.SummaryWriter."""
     file = folder / "progress.csv"
     if not file.exists():
-        file.write_text("iteration,samples,seconds,reward_per_s,ends_per_s,deviation,rate\n")
+        file.write_text(",".join(COLUMNS) + "\n")
     observation, _ = envs.reset(seed=int(learner.random.integers(1 << 30)))
     saved = learner.iteration
     try:
@@ -223,10 +226,14 @@ def train(folder, envs, learner, until):
             begin = time.monotonic()
             seen, observation, reward, ends = learner.collect(envs, observation)
             learner.learn(seen)
+            if not np.isfinite(learner.actor.parameters[-1]).all():
+                raise SystemExit(f"train.py: the weights are no numbers any more; the last checkpoint of {folder} is whole")
             learner.seconds += time.monotonic() - begin
             row = [learner.iteration, learner.samples, learner.seconds, reward, ends, np.exp(learner.log_std).mean(), learner.rate]
             with file.open("a") as progress:
                 csv.writer(progress).writerow([f"{value:.5g}" for value in row])
+            for name, value in zip(COLUMNS[3:], row[3:]) if board else ():
+                board.add_scalar(name, value, learner.samples)
             if learner.iteration % 10 == 0:
                 print(f"{learner.seconds:6.0f} s  {learner.samples / 1e6:6.2f} M samples  reward {reward:6.2f}/s  "
                       f"episodes {1 / max(ends, 0.05):4.1f} s", flush=True)  # fmt: skip
@@ -245,8 +252,16 @@ def main():
     parser.add_argument("--minutes", type=float, default=60)
     parser.add_argument("--iterations", type=int, default=10**9, help="at most, in all")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--tensorboard", action="store_true")
     asked = parser.parse_args()
     asked.folder.mkdir(parents=True, exist_ok=True)
+    board = None
+    if asked.tensorboard:
+        try:
+            import tensorboardX
+        except ImportError:
+            parser.error("--tensorboard: expected the package tensorboardX: pip install tensorboardX")
+        board = tensorboardX.SummaryWriter(str(asked.folder))
     checkpoint, learner = asked.folder / "checkpoint.pickle", None
     if checkpoint.exists():
         try:
@@ -258,7 +273,9 @@ def main():
     if learner is None:
         learner = Learner(envs.single_observation_space.shape[0], envs.single_action_space.shape[0], asked.seed)
     end = learner.seconds + 60 * asked.minutes
-    train(asked.folder, envs, learner, lambda: learner.seconds >= end or learner.iteration >= asked.iterations)
+    train(asked.folder, envs, learner, lambda: learner.seconds >= end or learner.iteration >= asked.iterations, board)
+    if board:
+        board.close()
 
 
 if __name__ == "__main__":
