@@ -56,7 +56,7 @@ RobotBody::RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot, con
   dq_.resize(dq_address_.size());
   for (const robot::FootSpec& foot : spec_.feet) foot_axis_.push_back(foot.axis);
   foot_of_geom_ = FindFeet(*model_, *data_, spec_);
-  touch_ = Touch(*model_, spec_);
+  touch_ = Touch(*model_, robot.spec, prefix_);
   base_body_ = Body(robot.spec.base_body);
   clamp_ = mj_name2id(model_, mjOBJ_EQUALITY, (prefix_ + kClampName).c_str());
   if (!has_fixed_base()) {

@@ -88,7 +88,7 @@ class RobotBody {
   // Computes the force of the contacts on each foot [N], in spec order: the component of their
   // normal forces along FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
-  // What the pads of its hands feel: Touch::Read and Touch::Forces.
+  // What its hands and their pads feel: Touch::Read and Touch::Forces.
   void ReadTouch(std::span<float> cells) const { touch_.Read(*model_, *data_, cells); }
   void HandForces(std::span<double> hands) const { touch_.Forces(*model_, *data_, hands); }
   double weight() const;  // N

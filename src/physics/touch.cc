@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <mujoco/mujoco.h>
 
@@ -50,18 +52,43 @@ void Weigh(double at, double half, int count, double spread, Weights* weights) {
 
 }  // namespace
 
-Touch::Touch(const mjModel& model, const robot::RobotSpec& spec) {
+Touch::Touch(const mjModel& model, const robot::RobotSpec& spec, const std::string& prefix) {
+  if (spec.hands.empty()) return;
+  hand_of_body_.assign(static_cast<std::size_t>(model.nbody), -1);
+  const std::vector<std::string> names = robot::HandNames(spec);
+  const auto index_of = [&](const robot::HandSpec& hand, const std::string& element) {
+    return static_cast<int>(std::ranges::find(names, robot::HandNameOf(hand, element)) -
+                            names.begin());
+  };
+  const auto id_of = [&](mjtObj type, const std::string& name) {
+    return name.empty() ? -1 : mj_name2id(&model, type, (prefix + name).c_str());
+  };
+  const int base = id_of(mjOBJ_BODY, spec.base_body);
   std::size_t first = 0;
-  for (std::size_t hand = 0; hand < spec.hands.size(); ++hand) {
-    for (const robot::PadSpec& pad : spec.hands[hand].pads) {
-      const int site = pad.site.empty() ? -1 : mj_name2id(&model, mjOBJ_SITE, pad.site.c_str());
-      if (site >= 0) {
-        pads_.push_back({site, model.site_bodyid[site], first, pad.rows, pad.columns,
-                         spec.hands[hand].touch.spread});
-        hand_of_body_.resize(static_cast<std::size_t>(model.nbody), -1);
-        hand_of_body_[static_cast<std::size_t>(model.site_bodyid[site])] = static_cast<int>(hand);
+  for (const robot::HandSpec& hand : spec.hands) {
+    for (const robot::MotorSpec& motor : hand.motors) {
+      AddLinks(model, id_of(mjOBJ_JOINT, motor.joint), base, index_of(hand, motor.joint));
+    }
+    for (const robot::PadSpec& pad : hand.pads) {
+      if (const int site = id_of(mjOBJ_SITE, pad.site); site >= 0) {
+        const int body = model.site_bodyid[site];
+        pads_.push_back({site, body, first, pad.rows, pad.columns, hand.touch.spread});
+        hand_of_body_[static_cast<std::size_t>(body)] = index_of(hand, pad.site);
       }
       first += robot::CellsOf(pad);
+    }
+  }
+}
+
+void Touch::AddLinks(const mjModel& model, int joint, int base, int hand) {
+  if (joint < 0) return;
+  const int link = model.jnt_bodyid[joint];
+  const int bears = model.body_parentid[link];
+  const int root = bears == 0 || bears == base ? link : bears;
+  hand_of_body_[static_cast<std::size_t>(root)] = hand;
+  for (int body = root + 1; body < model.nbody; ++body) {  // parents come before their children
+    if (HandOf(model.body_parentid[body]) == hand) {
+      hand_of_body_[static_cast<std::size_t>(body)] = hand;
     }
   }
 }
@@ -95,7 +122,7 @@ void Touch::Read(const mjModel& model, const mjData& data, std::span<float> cell
 void Touch::Forces(const mjModel& model, const mjData& data, std::span<double> hands) const {
   std::ranges::fill(hands, 0.0);
   const auto wanted = [this](int body) { return HandOf(body) >= 0; };
-  if (pads_.empty()) return;
+  if (hand_of_body_.empty()) return;
   ForEachPress(model, data, wanted, [&](const Press& press) {
     hands[static_cast<std::size_t>(HandOf(press.body))] += press.force_W.norm();
   });

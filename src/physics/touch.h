@@ -1,8 +1,9 @@
-// What presses on the pads of a robot's hands.
+// What presses on a robot's hands and their pads.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
@@ -16,14 +17,14 @@ namespace understudy::physics {
 class Touch {
  public:
   Touch() = default;
-  // `spec` has the names of `model`. Pads whose site the model lacks feel nothing.
-  Touch(const mjModel& model, const robot::RobotSpec& spec);
+  // In `model` the names of `spec` begin with `prefix`. Pads whose site it lacks feel nothing.
+  Touch(const mjModel& model, const robot::RobotSpec& spec, const std::string& prefix);
 
   // Computes what each cell feels [N], by hand, pad, row and column: of a contact that sits on the
   // cell's middle all of it. `cells` has one number for each.
   void Read(const mjModel& model, const mjData& data, std::span<float> cells) const;
-  // Computes the sum of the normal forces [N] on the links with pads of each hand, in spec order;
-  // 0 for hands without.
+  // Computes the sum of the normal forces [N] on the links of each hand, in the order of
+  // robot::HandNames: those with pads, and the link that bears a motor's with all that hangs on it.
   void Forces(const mjModel& model, const mjData& data, std::span<double> hands) const;
 
   static constexpr double kReach = 0.008;  // m, *assumed*
@@ -37,12 +38,15 @@ class Touch {
     double spread = 0;  // m
   };
 
+  // Adds the links that belong to the joint of a hand's motor.
+  void AddLinks(const mjModel& model, int joint, int base, int hand);
+
   int HandOf(int body) const {
     return hand_of_body_.empty() ? -1 : hand_of_body_[static_cast<std::size_t>(body)];
   }
 
   std::vector<Pad> pads_;
-  std::vector<int> hand_of_body_;  // -1: no link with pads; empty: there are none
+  std::vector<int> hand_of_body_;  // -1: no hand's; empty: there are no hands
 };
 
 }  // namespace understudy::physics

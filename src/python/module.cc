@@ -29,6 +29,7 @@
 #include "python/batch_module.h"
 #include "python/policy_module.h"
 #include "python/world.h"
+#include "robot/hand_law.h"
 
 namespace understudy::python {
 namespace {
@@ -184,11 +185,11 @@ void BindTruth(nb::module_& m) {
       .def_prop_ro(
           "hand_force",
           [](const Truth& t) {
-            std::vector<double> force(t.robot.spec().hands.size());
+            std::vector<double> force(robot::HandNames(t.robot.spec()).size());
             t.robot.body().HandForces(force);
             return ArrayOf(force);
           },
-          kOwn, "N of the contacts of the links with pads, shape (hands,); 0 for hands without");
+          kOwn, "N of the contacts of each hand, shape (hands,): left before right");
 }
 
 // Compiles the robot's world anew, with what was drawn for it, for the package mujoco.

@@ -94,6 +94,32 @@ inline std::string HandCommandTopic(const HandSpec& spec) {
   return HandTopic(spec, LawOf(spec).messages == HandLaw::Messages::kRegisters ? "ctrl" : "cmd");
 }
 
+// Returns the hand that a joint or site of a hand's spec is part of: "left" or "right" where its
+// name begins so, else the name of the spec. Two hands may share a spec, since they share messages.
+inline std::string HandNameOf(const HandSpec& spec, std::string_view element) {
+  for (const char* side : {"left", "right"}) {
+    if (element.starts_with(std::string(side) + "_")) return side;
+  }
+  return spec.name;
+}
+
+// At most so many are there.
+inline constexpr std::size_t kMostHandNames = 2 * kMostHands;
+
+// Returns the names of a robot's hands in the order of the alphabet: left before right.
+inline std::vector<std::string> HandNames(const RobotSpec& spec) {
+  std::vector<std::string> names;
+  for (const HandSpec& hand : spec.hands) {
+    for (const MotorSpec& motor : hand.motors) names.push_back(HandNameOf(hand, motor.joint));
+    for (const PadSpec& pad : hand.pads) {
+      if (!pad.site.empty()) names.push_back(HandNameOf(hand, pad.site));
+    }
+  }
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
 inline std::size_t CellsOf(const PadSpec& pad) {
   return static_cast<std::size_t>(pad.rows) * static_cast<std::size_t>(pad.columns);
 }

@@ -91,6 +91,13 @@ class GraspTest : public EmulatorTest, public testing::WithParamInterface<Grasp>
     std::fill_n(data.qvel + model.jnt_dofadr[joint], 6, 0.0);
   }
 
+  // What presses on the left hand, which is the only one. N
+  double Force() const {
+    double force = -1;
+    world_->physics().robot().HandForces({&force, 1});
+    return force;
+  }
+
   Eigen::Vector3d InHand() const { return (X_W(wrist_).inverse() * X_W(thing_)).translation(); }
 
   // Opens the hand, holds the thing in it and closes.
@@ -110,7 +117,10 @@ class GraspTest : public EmulatorTest, public testing::WithParamInterface<Grasp>
 
 TEST_P(GraspTest, HoldsWhileTheArmMoves) {
   constexpr double kElbowBent = 0.4;  // rad
+  for (int i = 0; i < 1500; ++i) Hold(0, kElbowBent, GetParam().open);
+  EXPECT_EQ(Force(), 0) << "nothing is in it";
   Take(kElbowBent);
+  EXPECT_GT(Force(), 2);
   const Eigen::Vector3d held = InHand();
   const double height = X_W(thing_).translation().z();
   double most = height;
@@ -173,11 +183,6 @@ class FeltTest : public GraspTest {
       for (; first < end; ++first) sum += counts ? static_cast<double>(touch[first]) : 0;
     }
     return sum;
-  }
-  double Force() const {
-    double force = -1;
-    world_->physics().robot().HandForces({&force, 1});
-    return force;
   }
 };
 
