@@ -94,6 +94,7 @@ void EncodeTruth(const Truth& truth, BytesOut* out) {
   PutNumbers(truth.foot_force, out);
   PutNumber(truth.crane_tension, out);
   PutNumber(truth.nearest_obstacle, out);
+  PutNumbers(truth.hand_force, out);
 }
 
 Truth DecodeTruth(ByteSpan bytes) {
@@ -107,6 +108,7 @@ Truth DecodeTruth(ByteSpan bytes) {
   truth.foot_force = TakeNumbers(&in);
   truth.crane_tension = TakeNumber<double>(&in);
   if (in.remaining() > 0) truth.nearest_obstacle = TakeNumber<double>(&in);
+  if (in.remaining() > 0) truth.hand_force = TakeNumbers(&in);
   return truth;
 }
 

@@ -26,10 +26,11 @@ inline constexpr char kTruthText[] =
     "float64[] tau\n"
     "float64[] foot_force\n"
     "float64 crane_tension\n"
-    "float64 nearest_obstacle\n";
+    "float64 nearest_obstacle\n"
+    "float64[] hand_force\n";
 
-// The true state between two steps, at `time`. tau, foot_force and crane_tension acted during the
-// step before.
+// The true state between two steps, at `time`. tau, forces and crane_tension acted during the step
+// before.
 struct Truth {
   std::int64_t step = 0;
   double time = 0;                   // simulated s
@@ -40,6 +41,8 @@ struct Truth {
   double crane_tension = 0;          // N
   // m, of perception::NearestObstacle; NaN where nobody asked for it, and in older recordings.
   double nearest_obstacle = std::numeric_limits<double>::quiet_NaN();
+  // N, in the order of robot::HandNames; empty in older recordings.
+  std::vector<double> hand_force{};
 };
 
 // Where in qpos and qvel a free joint begins: that of the robot's base, or of an object.

@@ -27,6 +27,7 @@ signals::TruthView ViewOf(const record::Truth& truth, const record::BaseAddress&
           .base_velocity = free ? qvel.subspan(base.qvel, 6) : qvel.first(0),
           .tau = truth.tau,
           .foot_force = truth.foot_force,
+          .hand_force = truth.hand_force,
           .crane_tension = truth.crane_tension,
           .nearest_obstacle = truth.nearest_obstacle};
 }
@@ -230,8 +231,8 @@ std::string Evidence::WhyUnknown(std::size_t signal) const {
   if (origin == Origin::kTruth && !truth_) {
     return slot.signal.name + " is the simulation's truth, which this recording does not have";
   }
-  if (slot.signal.of_obstacles && !judge::IsKnown(values_[signal])) {
-    return slot.signal.name + " was not asked for when this was recorded; rehearse measures it";
+  if (!slot.signal.why_unknown.empty() && !judge::IsKnown(values_[signal])) {
+    return slot.signal.name + " " + std::string(slot.signal.why_unknown);
   }
   if (origin == Origin::kEvents && !told_) {
     return slot.signal.name + " comes from events, which this recording does not have";

@@ -17,6 +17,7 @@
 #include "mjcf/join.h"
 #include "mjcf/urdf.h"
 #include "physics/world_reading.h"
+#include "robot/hand_law.h"
 #include "version.h"
 
 namespace understudy::run {
@@ -151,6 +152,7 @@ void Fill(const emulator::World& world, std::size_t number, record::Truth* truth
   physics::ReadRates(world.physics(), truth->qvel);
   truth->tau.assign(robot.torque().begin(), robot.torque().end());
   world.physics().robot(number).FootForces(truth->foot_force);
+  world.physics().robot(number).HandForces(truth->hand_force);
   truth->crane_tension = crane.attached() ? crane.tension() : 0;
 }
 
@@ -159,7 +161,8 @@ record::Moment Prototype(const robot::RobotSpec& spec, const emulator::World& wo
   return {.truth = {.qpos = zeros(physics::PositionCount(world.physics())),
                     .qvel = zeros(physics::RateCount(world.physics())),
                     .tau = zeros(robot::AllMotors(spec).size()),
-                    .foot_force = zeros(spec.feet.size())}};
+                    .foot_force = zeros(spec.feet.size()),
+                    .hand_force = zeros(robot::HandNames(spec).size())}};
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ namespace understudy::signals {
 // events have fields.
 struct SignalRow {
   std::string_view word;      // "base.height"; of one with an argument what stands before it
-  std::string_view argument;  // "", JOINT, FOOT, OBJECT, TOPIC or EVENT
+  std::string_view argument;  // "", JOINT, FOOT, HAND, OBJECT, TOPIC or EVENT
   std::string_view unit;
   Signal::Source source;
   std::string_view says;
-  // kTruth: its value; `index` is that of the joint or foot.
+  // kTruth: its value; `index` is that of the joint, foot or hand.
   double (*of)(const TruthView& truth, std::size_t index) = nullptr;
   // kField: its value in the sample of which the message is made.
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
@@ -33,7 +33,9 @@ struct SignalRow {
   // Its field in that; of a joint the field of its motor_state.
   std::string_view field{};
   bool of_obstacles = false;  // Signal::of_obstacles
-  bool share = false;         // its size as a share of the motor's torque_limit
+  // kTruth: why recordings that have the truth may lack it; stands behind the signal's name.
+  std::string_view why_unknown{};
+  bool share = false;  // its size as a share of the motor's torque_limit
 };
 
 std::span<const SignalRow> SignalRows();

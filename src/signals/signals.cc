@@ -7,6 +7,7 @@
 #include "emulator/event_table.h"
 #include "emulator/request.h"
 #include "robot/command_topics.h"
+#include "robot/hand_law.h"
 #include "services/api_names.h"
 #include "signals/signal_rows.h"
 #include "wire/robot_topics.h"
@@ -84,11 +85,14 @@ Result<std::size_t> FindJoint(const std::string& joint, const Names& names) {
   return static_cast<std::size_t>(found - names.joints.begin());
 }
 
-Result<std::size_t> FindFoot(const std::string& foot, const Names& names) {
+// Finds the place of a foot or hand among those of the robot.
+Result<std::size_t> FindPart(const std::string& what, const std::string& name,
+                             const std::vector<std::string>& known, const Names& names) {
   if (names.any_robot) return std::size_t{0};
-  const auto found = std::ranges::find(names.feet, foot);
-  if (found == names.feet.end()) return Unknown("foot", foot, names.feet);
-  return static_cast<std::size_t>(found - names.feet.begin());
+  if (known.empty()) return Error{"no " + what + " '" + name + "': this robot has none"};
+  const auto found = std::ranges::find(known, name);
+  if (found == known.end()) return Unknown(what, name, known);
+  return static_cast<std::size_t>(found - known.begin());
 }
 
 Result<std::string> FindObject(const std::string& object, const Names& names) {
@@ -182,16 +186,19 @@ Result<Signal> OfRow(const SignalRow& row, const std::string& argument, Signal s
   signal.of_object = row.of_object;
   signal.of_base = row.word.starts_with("base.");
   signal.of_obstacles = row.of_obstacles;
+  signal.why_unknown = row.why_unknown;
   signal.topic = row.topic;
   if (row.source == Signal::Source::kFirstJump) signal.slots = names.slots;
   if (row.source == Signal::Source::kEventField) {
     return EventValue(std::move(signal), std::string(row.topic), std::string(row.field));
   }
   if (row.argument == "EVENT") return EventNumber(std::move(signal), row.source, argument);
-  if (row.argument == "FOOT") {
-    const auto foot = FindFoot(argument, names);
-    if (!foot) return foot.error();
-    signal.index = *foot;
+  if (row.argument == "FOOT" || row.argument == "HAND") {
+    const bool foot = row.argument == "FOOT";
+    const auto part =
+        FindPart(foot ? "foot" : "hand", argument, foot ? names.feet : names.hands, names);
+    if (!part) return part.error();
+    signal.index = *part;
   }
   if (row.argument == "OBJECT") {
     const auto object = FindObject(argument, names);
@@ -265,6 +272,7 @@ Names RunningNames(const robot::RobotSpec& spec) {
   }
   for (const robot::MotorSpec& motor : spec.motors) names.slots.push_back(motor.slot);
   for (const robot::FootSpec& foot : spec.feet) names.feet.push_back(foot.name);
+  names.hands = robot::HandNames(spec);
   for (const std::string& topic : robot::CommandTopicNames(spec)) {
     if (!topic.empty()) names.topics.emplace(topic, "");
   }

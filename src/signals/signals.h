@@ -24,6 +24,7 @@ struct TruthView {
   std::span<const double> base_position, base_velocity;
   std::span<const double> tau;                // N·m at the joints, in motor order
   std::span<const double> foot_force;         // N, in the order of robot.feet
+  std::span<const double> hand_force;         // N, in the order of robot::HandNames
   double crane_tension = 0;                   // N
   double nearest_obstacle = judge::kUnknown;  // m
 };
@@ -48,6 +49,7 @@ struct Names {
   std::vector<double> torque_limits{};  // N·m, of the joints
   bool hg = false;                      // of that family
   std::vector<std::string> feet{};
+  std::vector<std::string> hands{};             // robot::HandNames
   std::vector<std::string> objects{};           // of the scene, that move
   std::map<std::string, std::string> topics{};  // type on the wire by name, as far as known
   // Null: of a running robot, which knows messages as it has them itself: those that it hears by
@@ -95,7 +97,8 @@ struct Signal {
   Source source = Source::kTruth;
   double (*of)(const TruthView& truth, std::size_t index) = nullptr;                  // kTruth
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;  // kField
-  bool of_obstacles = false;  // kTruth: that is measured only where it is asked for
+  bool of_obstacles = false;       // kTruth: that is measured only where it is asked for
+  std::string_view why_unknown{};  // SignalRow::why_unknown
   double (*of_object)(const ObjectView& object) = nullptr;  // kTruth of an object, in place of `of`
   std::string object{};                                     // its name
   bool of_base = false;                                     // kTruth: of one that is free to move

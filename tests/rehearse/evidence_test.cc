@@ -34,6 +34,7 @@ TEST(EvidenceTest, ReadsTheTruth) {
   EXPECT_EQ(ValueOf("torque(knee) > 0", kLean), -20);
   EXPECT_EQ(ValueOf("foot_force(right) > 0", kLean), 70);
   EXPECT_EQ(ValueOf("feet.force > 0", kLean), 120);
+  EXPECT_EQ(ValueOf("hand_force(right) > 0", kLean), 7);
 }
 
 TEST(EvidenceTest, ReadsWhereObjectsAre) {
@@ -188,6 +189,16 @@ TEST(EvidenceTest, DoesNotJudgeByObstaclesThatWereNotMeasured) {
   jury.Finish();
   EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
   EXPECT_THAT(jury.WhyNot(0), HasSubstr("nearest_obstacle was not asked for"));
+}
+
+TEST(EvidenceTest, DoesNotJudgeByHandsThatAnOlderRecordingLacks) {
+  const Expectations expect = ReadExpect("[{always: hand_force(left) > 0}]");
+  Jury jury(expect);
+  Stage stage(jury.Hearing(0));
+  stage.Joints(1, std::vector<double>(8), {0, 2});
+  jury.Finish();
+  EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
+  EXPECT_THAT(jury.WhyNot(0), HasSubstr("hand_force(left) is not in this recording"));
 }
 
 TEST(EvidenceTest, DoesNotJudgeByTheBaseOfARobotWhoseBaseIsFixed) {

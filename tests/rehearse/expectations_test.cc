@@ -41,6 +41,7 @@ TEST(ExpectationsTest, SayWhereAndWhatIsWrongWithTheNearestWord) {
       {"{always: base.hight > 0}", "always: no signal 'base.hight'; did you mean 'base.height'?"},
       {"{always: torque(kne) > 0}", "no joint 'kne'; did you mean 'knee'?"},
       {"{always: foot_force(rihgt) > 0}", "no foot 'rihgt'; did you mean 'right'?"},
+      {"{always: hand_force(lfet) > 0}", "no hand 'lfet'; did you mean 'left'?"},
       {"{always: gap(lowcmt) > 0}", "no topic 'rt/lowcmt'; did you mean 'rt/lowcmd'?"},
       {"{always: refusd happens}", "no event 'refusd'; did you mean 'refused'?"},
       {"{always: gate.stat is damping}",

@@ -25,6 +25,7 @@ inline Names TinyNames() {
           .slots = {0, 1},
           .torque_limits = {20, 40},
           .feet = {"left", "right"},
+          .hands = {"left", "right"},
           .objects = {"cube", "cup"},
           .topics = {{"rt/lowcmd", "unitree_go::msg::dds_::LowCmd_"},
                      {"rt/lowstate", "unitree_go::msg::dds_::LowState_"}},
@@ -47,7 +48,8 @@ class Stage {
                         .qpos = {1, 2, height, std::cos(roll / 2), std::sin(roll / 2), 0, 0, 0, 0},
                         .qvel = {3, 4, 0, 0, 0, 0, 0, 0},
                         .tau = {10, -20},
-                        .foot_force = {50, 70}};
+                        .foot_force = {50, 70},
+                        .hand_force = {5, 7}};
     Tell(truth);
   }
   // An object at a place [m], turned about x by `roll` [rad], beside a fixed base. The recording

@@ -85,8 +85,25 @@ TEST(BoundConditionTest, NamesTheNearestWord) {
   EXPECT_THAT(WhyNot("base.height < 3 kg"), testing::HasSubstr("base.height: no unit 'kg'"));
 }
 
+TEST(BoundConditionTest, SaysThatARobotHasNoHands) {
+  EXPECT_THAT(WhyNot("hand_force(left) > 1"),
+              testing::HasSubstr("no hand 'left': this robot has none"));
+}
+
+TEST(BoundConditionTest, ARobotHasTwoHandsAlsoWhereTheyShareMessages) {
+  for (const std::string make : {"inspire", "dex1", "inspire_ftp"}) {
+    const Names names =
+        RunningNames(config::LoadConfig({.robot = "g1", .sets = {"robot.hand_make=" + make}},
+                                        UNDERSTUDY_SOURCE_DIR)
+                         .robots[0]
+                         .spec);
+    EXPECT_THAT(names.hands, testing::ElementsAre("left", "right")) << make;
+  }
+}
+
 TEST(BoundConditionTest, ForAnyRobotEachJointFootAndHandWillDoAndNoTopicThatNoneHears) {
-  EXPECT_EQ(WhyNot("q(tail) > 1 and foot_force(paw) > 1", RunningNames()), "");
+  EXPECT_EQ(WhyNot("q(tail) > 1 and foot_force(paw) > 1 and hand_force(claw) > 1", RunningNames()),
+            "");
   EXPECT_EQ(WhyNot("dex3/left/cmd arrives", RunningNames()), "");
   EXPECT_THAT(WhyNot("lowcmt arrives", RunningNames()), testing::HasSubstr("'rt/lowcmd'"));
 }

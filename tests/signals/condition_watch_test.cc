@@ -143,6 +143,17 @@ TEST_F(ConditionWatchTest, KnowsTheCraneTheFeetAndTheJoints) {
   EXPECT_EQ(When("q(" + joint + ") > 7"), -1);
 }
 
+TEST_F(ConditionWatchTest, KnowsWhatPressesOnAHand) {
+  config_.robots[0].spec = test::FixtureRobotWithHand();
+  config_.robots[0].spec.hands[0].pads = {{.site = "imu"}};  // on the trunk
+  StartAs("hanging");
+  EXPECT_GE(When("hand_force(neck) <= 0"), 0);
+  StartAs("hanging");
+  EXPECT_EQ(When("hand_force(neck) > 0"), -1);
+  StartAs("lying");
+  EXPECT_GE(When("hand_force(neck) > 1", 500), 0);
+}
+
 TEST_F(ConditionWatchTest, KnowsHowFarTheNearestObstacleIs) {
   StartAs("standing");
   EXPECT_GE(When("nearest_obstacle > 9.9 m"), 0) << "there is none";
