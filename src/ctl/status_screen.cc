@@ -80,6 +80,9 @@ std::string StatusScreen::Text(const ordered_json& status, std::chrono::nanoseco
       {"remote", remote.at("there").get<bool>() ? "keys " + remote.at("keys").get<std::string>()
                                                 : "not there"},
   };
+  for (const auto& [hand, force] : status.at("hand_force").items()) {
+    state.push_back({hand + " hand force", Number("%.1f", force) + " N"});
+  }
   if (std::string waits = ScriptText(status.at("script")); !waits.empty()) {
     state.push_back({"script waits for", std::move(waits)});
   }

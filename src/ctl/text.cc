@@ -215,6 +215,9 @@ std::string StatusText(const ordered_json& status) {
     rows.push_back({name + " refused", Refused(hand)});
     rows.push_back({name + " time-outs", Count(hand.at("timeouts"))});
   }
+  for (const auto& [hand, force] : status.at("hand_force").items()) {
+    rows.push_back({hand + " hand force", Fixed(force, 1), "N"});
+  }
   if (const std::string waits = ScriptText(status.at("script")); !waits.empty()) {
     rows.push_back({"script waits for", waits});
   }

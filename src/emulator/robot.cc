@@ -1,7 +1,9 @@
 #include "emulator/robot.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <span>
 
 #include "authority/onboard.h"
 #include "base/errors.h"
@@ -9,6 +11,7 @@
 #include "emulator/request.h"
 #include "motion/controllers.h"
 #include "robot/command_topics.h"
+#include "robot/hand_law.h"
 
 namespace understudy::emulator {
 namespace {
@@ -59,7 +62,8 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       hardware_(spec_, settings_.sensors, faults_, computer_.command(), body_, physics->timestep()),
       scene_(scene),
       crane_(settings_.crane),
-      crane_body_(body_->Body(spec_.crane_body)) {
+      crane_body_(body_->Body(spec_.crane_body)),
+      hand_names_(robot::HandNames(spec_)) {
   for (const robot::PlannedFault& fault : settings_.faults) {
     const auto planned = faults_.Plan(fault);
     if (!planned) throw ConfigError("faults: " + planned.why());
@@ -178,6 +182,12 @@ void Robot::Report(double t, Status* status) const {
   status->clamped = body_->clamped();
   status->base_height = body_->base().p_WB.z();
   status->tilt = body_->tilt();
+  std::array<double, robot::kMostHandNames> forces{};
+  body_->HandForces(std::span(forces).first(hand_names_.size()));
+  for (std::size_t i = 0; i < hand_names_.size(); ++i) {
+    CopyText(hand_names_[i], &status->hand_forces[i].name);
+    status->hand_forces[i].force = forces[i];
+  }
 }
 
 }  // namespace understudy::emulator

@@ -134,7 +134,7 @@ class Robot {
   const robot::FaultBank& faults() const { return faults_; }
   const robot::DamageTotals& damage() const { return hardware_.damage(); }
 
-  // Fills in this robot's part of the status at time t.
+  // Fills in this robot's part of the status at time t. Allocates nothing.
   void Report(double t, Status* status) const;
 
  private:
@@ -175,6 +175,7 @@ class Robot {
   std::optional<Eyes> eyes_;  // where spec_ has a lidar
   physics::Crane crane_;
   int crane_body_;
+  std::vector<std::string> hand_names_;  // robot::HandNames
   bool board_is_dead_ = false;
   bool boots_again_ = false;  // once its mainboard works
 };

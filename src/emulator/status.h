@@ -10,6 +10,7 @@
 #include "authority/intake.h"
 #include "emulator/mailbox.h"
 #include "robot/command_topics.h"
+#include "robot/hand_law.h"
 #include "robot/port_counts.h"
 #include "robot/power.h"
 #include "robot/robot_spec.h"
@@ -23,6 +24,12 @@ namespace understudy::emulator {
 struct HandStatus {
   std::array<char, 16> name{};  // "" if the robot has no such hand
   authority::GateCounts commands;
+};
+
+// What presses on one hand.
+struct HandForce {
+  std::array<char, 16> name{};  // robot::HandNames; "" if the robot has no such hand
+  double force = 0;             // N
 };
 
 enum class RecordingState : std::uint8_t { kOff, kOn, kFailed };
@@ -71,6 +78,7 @@ struct Status {
   authority::GateCounts arm_commands;   // of rt/arm_sdk
   authority::GateCounts user_commands;  // of rt/user_lowcmd
   std::array<HandStatus, robot::kMostHands> hands;
+  std::array<HandForce, robot::kMostHandNames> hand_forces;
   robot::PortCounts port;
   int command_writers = 0;
   std::uint64_t published = 0;  // published LowState samples

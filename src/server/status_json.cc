@@ -55,6 +55,15 @@ ordered_json HandsJson(const emulator::Status& status) {
   return hands;
 }
 
+// {"left": 3.5, "right": 0.0}, N; {} of a robot without hands.
+ordered_json HandForceJson(const emulator::Status& status) {
+  ordered_json forces = ordered_json::object();
+  for (const emulator::HandForce& hand : status.hand_forces) {
+    if (hand.name[0] != '\0') forces[hand.name.data()] = hand.force;
+  }
+  return forces;
+}
+
 // Those dangers against which the motion service does something now.
 ordered_json ProtectsJson(const robot::MotionState& state) {
   ordered_json names = ordered_json::array();
@@ -121,6 +130,7 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
         {"timeouts", status.user_commands.timeouts},
         {"refused", RefusedJson(status.user_commands)}}},
       {"hands", HandsJson(status)},
+      {"hand_force", HandForceJson(status)},
       {"services",
        {{"requests", status.services.requests},
         {"refused", RefusedJson(status.services)},

@@ -47,6 +47,14 @@ TEST(StatusScreenTest, SaysThatTheRobotIsPaused) {
   EXPECT_THAT(dut.Text(Json(status), milliseconds(2)), HasSubstr("paused, 7 steps to make\n"));
 }
 
+TEST(StatusScreenTest, ShowsTheForceOnEachHand) {
+  StatusScreen dut;
+  emulator::Status status = Running();
+  emulator::CopyText("left", &status.hand_forces[0].name);
+  status.hand_forces[0].force = 12.25;
+  EXPECT_THAT(dut.Text(Json(status), milliseconds(1)), HasSubstr("left hand force  12.2 N\n"));
+}
+
 TEST(StatusScreenTest, ANumberThatIsNotFiniteIsADash) {
   StatusScreen dut;
   nlohmann::ordered_json status = Json(Running());

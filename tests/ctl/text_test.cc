@@ -58,6 +58,16 @@ randomized         no
 )");
 }
 
+TEST(CtlTextTest, StatusHasTheForceOnEachHand) {
+  emulator::Status status;
+  emulator::CopyText("left", &status.hand_forces[0].name);
+  status.hand_forces[0].force = 12.25;
+  emulator::CopyText("right", &status.hand_forces[1].name);
+  EXPECT_THAT(TextOf(status), HasSubstr("left hand force    12.2    N\n"
+                                        "right hand force   0.0     N\n"
+                                        "crane "));
+}
+
 TEST(CtlTextTest, ARobotThatBootsSaysHowLongItStillTakes) {
   emulator::Status status;
   status.power = robot::PowerState::kBooting;

@@ -59,6 +59,10 @@ emulator::Status EveryFieldSet() {
   status.boots_for = 46.5;
   status.motion.dangers[static_cast<std::size_t>(robot::Danger::kHeat)].does =
       robot::Protection::kLieDown;
+  emulator::CopyText("left", &status.hand_forces[0].name);
+  status.hand_forces[0].force = 24.5;
+  emulator::CopyText("right", &status.hand_forces[1].name);
+  status.hand_forces[1].force = 25.5;
   status.clamped = true;
   status.base_height = 0.75;
   status.tilt = 0.125;
@@ -91,6 +95,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"("hands":[{"name":"left","accepted":21,"timeouts":23,"refused":{"crc":0,"head":0,"mode_machine":0,)"
           R"("mode_pr":0,"motor_mode":22,"motor_count":0,"not_finite":0,"gain":0,"motion_service":0,)"
           R"("no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0}}],)"
+          R"("hand_force":{"left":24.5,"right":25.5},)"
           R"("services":{"requests":51,"refused":{"unknown_api":0,"lease":0,"parameter":0,"state":52,"ignored":0,"goal":0,)"
           R"("name":0,"protected":0,"not_simulated":0,"failed":0,"code":0,"not_served":0,"undecoded":0,)"
           R"("too_many":0,"unmatched":0},"lost_replies":53},)"
