@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -66,10 +67,25 @@ void CopyMeshes(const std::vector<mjcf::UrdfReadMesh>& meshes, const fs::path& f
   }
 }
 
-// What drives what. Returns how many motors have no joint.
-int PrintMotors(const config::NewRobot& robot) {
+// Whether the robot can bear all hands that `like` can. Throws ModelError if a hand's model cannot
+// be read.
+bool KeepsHands(const mjcf::UrdfRobot& robot, const std::string& like,
+                const std::vector<std::string>& makes) {
+  return !makes.empty() && std::ranges::all_of(makes, [&](const std::string& make) {
+    const config::Config with = config::LoadConfig(
+        {.robot = like, .files = {}, .trees = {}, .sets = {"robot.hand_make=" + make}},
+        config::DataDir());
+    return config::HasWrists(robot, config::HandModelFiles(with.robots[0].spec));
+  });
+}
+
+// What drives what. `like` is the other robot. Returns how many motors have no joint.
+int PrintMotors(const config::NewRobot& robot, const robot::RobotSpec& like) {
   int missing = 0;
   std::vector<std::string> driven;
+  for (const robot::HandSpec& hand : like.hands) {
+    for (const robot::MotorSpec& motor : hand.motors) driven.push_back(motor.joint);
+  }
   std::printf("%-28s slot  joint of %s\n", ("motor of " + robot.like).c_str(), robot.urdf.c_str());
   for (const config::MotorMatch& match : robot.motors) {
     std::string joint = match.joint;
@@ -88,6 +104,11 @@ int PrintMotors(const config::NewRobot& robot) {
       std::printf("note: no motor drives joint '%s'\n", joint.name.c_str());
     }
   }
+  if (robot.keeps_hands) {
+    std::string makes;
+    for (const std::string& make : like.hand_makes) makes += (makes.empty() ? "" : ", ") + make;
+    std::printf("it can bear hands, as %s can: --hands %s\n", robot.like.c_str(), makes.c_str());
+  }
   for (const std::string& note : robot.robot.notes) std::printf("note: %s\n", note.c_str());
   return missing;
 }
@@ -97,9 +118,10 @@ void CheckThatItFits(const fs::path& yaml) {
   const config::Config config = config::LoadConfig(
       {.robot = yaml.string(), .files = {}, .trees = {}, .sets = {}}, config::DataDir());
   const config::SceneFile scene("flat", {});
-  physics::LoadWorldModel(
-      {{.spec = config.robots[0].spec, .file = config::ModelFile(config.robots[0].spec)}},
-      scene.path(), config.physics.timestep);
+  physics::LoadWorldModel({{.spec = config.robots[0].spec,
+                            .file = config::ModelFile(config.robots[0].spec),
+                            .hands = config::HandModelFiles(config.robots[0].spec)}},
+                          scene.path(), config.physics.timestep);
 }
 
 int NewCommand(const NewArguments& arguments) {
@@ -117,10 +139,12 @@ int NewCommand(const NewArguments& arguments) {
                          .urdf = arguments.urdf,
                          .robot = mjcf::ReadUrdf(arguments.urdf),
                          .motors = {},
-                         .two_units = false};
+                         .two_units = false,
+                         .keeps_hands = false};
   robot.motors = config::MatchMotors(like.robots[0].spec, robot.robot.joints);
   const std::array<std::string, 2> units = config::AddImuSites(like.robots[0].spec, &robot.robot);
   robot.two_units = !units[1].empty();
+  robot.keeps_hands = KeepsHands(robot.robot, arguments.like, like.robots[0].spec.hand_makes);
   robot.robot.model.Set("model", robot.name);
 
   MakeRobotFolder(folder);
@@ -145,7 +169,7 @@ int NewCommand(const NewArguments& arguments) {
               robot.two_units ? (", a second one of " + units[1]).c_str() : "");
   std::printf("%s: a robot like %s\n%s: a first scenario\n\n", yaml.c_str(), robot.like.c_str(),
               scenario.c_str());
-  const int missing = PrintMotors(robot);
+  const int missing = PrintMotors(robot, like.robots[0].spec);
   if (missing > 0) {
     const bool few = 2 * static_cast<std::size_t>(missing) < robot.motors.size();
     std::printf("\n%d of %zu motors have no joint: name them in %s, then: understudy check %s%s\n",

@@ -102,24 +102,29 @@ void Add(const std::string& key, std::size_t number, YamlValue* map) {
   map->items.push_back(std::move(entry.items[0]));
 }
 
-// Has each file of `models` replaced by that of its name in `folder` below data_dir/models, if
-// there is one.
-void TakeOwnModels(const std::filesystem::path& folder, const std::filesystem::path& data_dir,
+using Folders = std::vector<std::filesystem::path>;
+
+// Has each file of `models` replaced by that of its name in the first of `folders`, below
+// data_dir/models, that has one.
+void TakeOwnModels(const Folders& folders, const std::filesystem::path& data_dir,
                    YamlValue* models) {
   for (YamlValue& model : models->items) {
-    const std::filesystem::path own = folder / std::filesystem::path(model.text).filename();
-    if (std::filesystem::exists(data_dir / "models" / own)) model.text = own.generic_string();
+    const std::filesystem::path name = std::filesystem::path(model.text).filename();
+    const auto own = std::ranges::find_if(folders, [&](const std::filesystem::path& folder) {
+      return std::filesystem::exists(data_dir / "models" / folder / name);
+    });
+    if (own != folders.end()) model.text = (*own / name).generic_string();
   }
 }
 
-// Adds the hands of a make's file to `hands`, with models of `folder` where it has them.
-void AddHands(const Choice& choice, const std::filesystem::path& folder,
-              const std::filesystem::path& data_dir, YamlValue* hands) {
+// Adds the hands of a make's file to `hands`, with models of `folders` where they have them.
+void AddHands(const Choice& choice, const Folders& folders, const std::filesystem::path& data_dir,
+              YamlValue* hands) {
   YamlValue file = ReadYamlFile(data_dir / "config" / "hands" / (choice.make + ".yaml"));
   YamlValue robot = *TakeOut(&file, "robot");
   YamlValue made = *TakeOut(&robot, "hands");
   for (YamlValue& hand : made.items) {
-    if (YamlValue* models = hand.Find("models")) TakeOwnModels(folder, data_dir, models);
+    if (YamlValue* models = hand.Find("models")) TakeOwnModels(folders, data_dir, models);
     YamlValue* motors = hand.Find("motors");
     const std::size_t all = motors->items.size();
     if (!choice.side.empty()) {
@@ -138,17 +143,21 @@ void AddHands(const Choice& choice, const std::filesystem::path& folder,
 }  // namespace
 
 YamlValue HandsOf(const YamlValue& asked, const std::vector<std::string>& makes,
-                  const std::string& model, const std::filesystem::path& data_dir) {
+                  const std::vector<std::string>& robot_models,
+                  const std::filesystem::path& data_dir) {
   YamlValue hands{.kind = YamlValue::Kind::kSequence,
                   .text = {},
                   .items = {},
                   .keys = {},
                   .where = asked.where};
-  const std::filesystem::path folder = std::filesystem::path(model).parent_path() / "hands";
+  Folders folders;
+  for (const std::string& model : robot_models) {
+    folders.push_back(std::filesystem::path(model).parent_path() / "hands");
+  }
   for (const Choice& choice : ChoicesOf(asked)) {
     if (choice.make == kNone) continue;
     RequireMake(asked, choice.make, makes, data_dir);
-    AddHands(choice, folder, data_dir, &hands);
+    AddHands(choice, folders, data_dir, &hands);
   }
   return MapOf("robot", MapOf("hands", std::move(hands)));
 }

@@ -240,8 +240,13 @@ std::vector<YamlValue> ChosenHands(const std::vector<YamlValue>& trees,
   if (const YamlValue* list = LastOfRobot(trees, "hand_makes")) {
     for (const YamlValue& make : list->items) makes.push_back(make.text);
   }
-  const YamlValue* model = LastOfRobot(trees, "model");
-  return {HandsOf(*asked, makes, model == nullptr ? "" : model->text, data_dir)};
+  std::vector<std::string> models;  // the robot's, then of those that it extends
+  for (auto tree = trees.rbegin(); tree != trees.rend(); ++tree) {
+    const YamlValue* robot = tree->Find("robot");
+    const YamlValue* model = robot == nullptr ? nullptr : robot->Find("model");
+    if (model != nullptr) models.push_back(model->text);
+  }
+  return {HandsOf(*asked, makes, models, data_dir)};
 }
 
 // The configuration of one robot, alone in its world, of its file and the layers above.

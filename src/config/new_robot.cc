@@ -9,6 +9,7 @@
 
 #include "base/nearest_word.h"
 #include "base/printed.h"
+#include "mjcf/document.h"
 #include "physics/stature.h"
 #include "schema/yaml_document.h"
 
@@ -62,7 +63,7 @@ constexpr char kNoRevisions[] =
   revisions: {@none}  # has none of them
 )";
 constexpr char kNoHands[] = R"(  hand_make: none
-  hand_makes: []  # its wrists are its own: name hands that fit them
+  hand_makes: []  # it lacks the links on which hands of @like sit: name hands that fit it
 )";
 constexpr char kRobotRest[] = R"(
   # By the motor's name in @like: its joint, limits in N m and rad/s. Slot: its place in LowCmd.
@@ -319,6 +320,18 @@ std::array<std::string, 2> AddImuSites(const robot::RobotSpec& like, mjcf::UrdfR
   return bodies;
 }
 
+bool HasWrists(const mjcf::UrdfRobot& robot, const std::vector<std::filesystem::path>& hands) {
+  for (const std::filesystem::path& hand : hands) {
+    for (const mjcf::MjcfElement& section : mjcf::ReadMjcf(hand).children) {
+      if (section.name != "worldbody") continue;
+      for (const mjcf::MjcfElement& wrist : section.children) {
+        if (std::ranges::count(robot.bodies, wrist.Get("name")) == 0) return false;
+      }
+    }
+  }
+  return true;
+}
+
 std::string NewRobotYaml(const NewRobot& robot, const robot::RobotSpec& like, const mjModel& model,
                          const std::vector<std::string>& revisions) {
   std::string none;
@@ -347,7 +360,8 @@ std::string NewRobotYaml(const NewRobot& robot, const robot::RobotSpec& like, co
       {"@stand_height", Number(like.motion.quadruped.stand_height)},
   };
   return Filled(kRobotHead, words) + (revisions.empty() ? "" : Filled(kNoRevisions, words)) +
-         (like.hand_makes.empty() ? "" : kNoHands) + Filled(kRobotRest, words) +
+         (like.hand_makes.empty() || robot.keeps_hands ? "" : Filled(kNoHands, words)) +
+         Filled(kRobotRest, words) +
          (robot::IsQuadruped(like.kind) ? Filled(kStandHeight, words) : "");
 }
 

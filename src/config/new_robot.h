@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct NewRobot {
   std::string urdf;       // as typed
   mjcf::UrdfRobot robot;  // its model has the sites
   std::vector<MotorMatch> motors;
-  bool two_units = false;  // inertial ones
+  bool two_units = false;    // inertial ones
+  bool keeps_hands = false;  // it can bear the hands of the other
 };
 
 // Adds sites for the inertial units, named as in `like`, to the model. The main unit is in the body
@@ -38,6 +40,10 @@ struct NewRobot {
 // elsewhere if there is none, else at the origin of the base. The second unit, if `like` has one,
 // is in the first such link elsewhere. Returns the two bodies, "" for no second unit.
 std::array<std::string, 2> AddImuSites(const robot::RobotSpec& like, mjcf::UrdfRobot* robot);
+
+// Returns whether the URDF has all links on which hands of `like` sit; their models are `hands`.
+// Throws ModelError if one cannot be read.
+bool HasWrists(const mjcf::UrdfRobot& robot, const std::vector<std::filesystem::path>& hands);
 
 // Returns the robot's YAML, commented. `model` is the compiled one; in it the soles of feet and the
 // heights of start poses are looked up. `revisions` are those of `like`, which it loses.

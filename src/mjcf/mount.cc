@@ -20,7 +20,30 @@ MjcfElement* Named(MjcfElement* parent, const std::string& kind, const std::stri
   return nullptr;
 }
 
+bool IsBody(const MjcfElement& element) { return element.name == "body"; }
+
+// Whether every body below has an inertia of its own, and takes none from its geoms.
+bool AllHaveInertia(const MjcfElement& element) {
+  return std::ranges::all_of(element.children, [](const MjcfElement& child) {
+    if (!IsBody(child)) return child.name != "worldbody" || AllHaveInertia(child);
+    return std::ranges::find(child.children, "inertial", &MjcfElement::name) !=
+               child.children.end() &&
+           AllHaveInertia(child);
+  });
+}
+
+// Reads the hand as a robot is read whose geoms give no inertia, where that changes nothing.
+void TakeNoInertiaFromGeoms(const MjcfElement& root, MjcfElement* hand) {
+  constexpr char kKey[] = "inertiafromgeom";
+  if (CompilerSays(root, kKey) != "false" || CompilerSays(*hand, kKey) == "true") return;
+  if (!AllHaveInertia(*hand)) return;
+  MjcfElement compiler{"compiler", {}, {}, hand->place};
+  compiler.Set(kKey, "false");
+  hand->children.push_back(std::move(compiler));
+}
+
 void Mount(MjcfElement hand, MjcfElement* root) {
+  TakeNoInertiaFromGeoms(*root, &hand);
   for (MjcfElement& section : hand.children) {
     if (section.name != "worldbody") continue;
     for (MjcfElement& body : section.children) {

@@ -6,6 +6,7 @@
 
 #include "config_fixture.h"
 #include "robot/hand_law.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::config {
 namespace {
@@ -97,6 +98,18 @@ TEST(HandChoiceTest, ModelsAreThoseBesideTheRobotsWhereItHasThem) {
   EXPECT_THAT(models("h1_2"),
               ElementsAre("h1_2/hands/right_inspire.xml", "h1_2/hands/left_inspire.xml"));
   EXPECT_THAT(models("g1"), ElementsAre("g1/hands/right_inspire.xml", "g1/hands/left_inspire.xml"));
+}
+
+TEST(HandChoiceTest, ModelsAreThoseOfTheRobotThatItExtendsWhereItHasNoneOfItsOwn) {
+  const test::TemporaryFolder folder;
+  folder.Write("mine.xml", "<mujoco/>");
+  const std::string robot = folder.Write("mine.yaml",
+                                         "extends: h1_2\n"
+                                         "robot: {name: mine, model: mine.xml}\n");
+  const auto models = [&] { return With("inspire", robot).robots[0].spec.hands.at(0).models; };
+  EXPECT_THAT(models(), ElementsAre("h1_2/hands/right_inspire.xml", "h1_2/hands/left_inspire.xml"));
+  const std::string own = folder.Write("hands/left_inspire.xml", "<mujoco/>");
+  EXPECT_THAT(models(), ElementsAre("h1_2/hands/right_inspire.xml", own));
 }
 
 TEST(HandChoiceTest, RefusesByName) {

@@ -63,8 +63,8 @@ TEST(CtlTextTest, StatusHasTheForceOnEachHand) {
   emulator::CopyText("left", &status.hand_forces[0].name);
   status.hand_forces[0].force = 12.25;
   emulator::CopyText("right", &status.hand_forces[1].name);
-  EXPECT_THAT(TextOf(status), HasSubstr("left hand force    12.2    N\n"
-                                        "right hand force   0.0     N\n"
+  EXPECT_THAT(TextOf(status), HasSubstr("left hand force    12.2   N\n"
+                                        "right hand force   0.0    N\n"
                                         "crane "));
 }
 

@@ -85,6 +85,30 @@ TEST_F(MountTest, TakesWhatHandsIncludeFromOneFileOnce) {
   EXPECT_GE(mj_name2id(CompileMjcf(root).get(), mjOBJ_JOINT, "digit"), 0);
 }
 
+// An arm whose geoms give no inertia, as those that are made of URDFs.
+std::string ArmOfUrdf() {
+  std::string arm = kArm;
+  return arm.replace(0, 8, R"(<mujoco><compiler inertiafromgeom="false"/>)")
+      .replace(arm.find("<geom size"), 10,
+               R"(<inertial mass="1" pos="0 0 0" diaginertia="1 1 1"/><geom size)");
+}
+
+TEST_F(MountTest, AHandWithInertiaOfItsOwnFitsARobotWhoseGeomsGiveNone) {
+  std::string claw = kClaw;
+  claw.replace(claw.find("<geom size"), 10,
+               R"(<inertial mass="4" pos="0 0 0" diaginertia="1 1 1"/><geom size)");
+  MjcfElement root = Read(ArmOfUrdf());
+  MountHands(spec_, {Read(claw)}, &root);
+  const ModelHandle model = CompileMjcf(root);
+  EXPECT_EQ(model->body_mass[mj_name2id(model.get(), mjOBJ_BODY, "finger")], 4);
+}
+
+TEST_F(MountTest, RefusesAHandThatNeedsTheInertiaOfItsGeomsForARobotWhoseGeomsGiveNone) {
+  MjcfElement root = Read(ArmOfUrdf());
+  EXPECT_THAT([&] { MountHands(spec_, {Read(kClaw)}, &root); },
+              testing::ThrowsMessage<ModelError>(testing::HasSubstr("inertiafromgeom")));
+}
+
 TEST_F(MountTest, LeavesAModelAloneThatHasTheFingers) {
   spec_.hands[0].motors[0].joint = "elbow";
   MjcfElement root = Read(kArm);

@@ -139,6 +139,54 @@ def test_a_g1_hangs_from_its_crane_and_has_lost_the_revisions_of_the_other(under
     assert understudy("run", "mine/mine.yaml", "--revision", "6", "--print-config").returncode == 3
 
 
+def test_a_robot_with_the_wrists_of_a_g1_bears_its_hands(understudy):
+    export(understudy, "g1")
+    made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "g1")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert "it can bear hands, as g1 can: --hands brainco, dex1" in made.stdout
+    ran = understudy("run", "mine/mine.yaml", "--hands", "dex1", "--speed", "max", "--duration", "0.5")
+    assert ran.returncode == 0, ran.stderr
+    checked = understudy("check", "mine/mine.yaml")  # with each of them
+    assert checked.returncode == 0, checked.stdout
+
+
+def test_a_robot_like_one_with_hands_has_them_on(understudy):
+    export(understudy, "g1")
+    made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "g1_29dof_dex3")
+    assert made.returncode == 0, made.stdout + made.stderr
+    checked = understudy("check", "mine/mine.yaml")
+    assert "29 motors, 2 hands, fits its model" in checked.stdout, checked.stdout
+
+
+def test_fingers_of_the_urdf_are_moved_as_those_of_the_hands_that_it_has(understudy):
+    export(understudy, "g1_29dof_dex3")
+    made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "g1_29dof_dex3")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert "no motor drives" not in made.stdout
+    checked = understudy("check", "mine/mine.yaml")
+    assert "29 motors, 2 hands, fits its model" in checked.stdout, checked.stdout
+
+
+def test_hands_are_those_made_for_the_other_robot(understudy):
+    export(understudy, "h1_2")
+    made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "h1_2")
+    assert made.returncode == 0, made.stdout + made.stderr
+    printed = understudy("run", "mine/mine.yaml", "--hands", "inspire", "--print-config").stdout
+    assert "h1_2/hands/left_inspire.xml" in printed
+
+
+def test_a_robot_without_the_wrists_bears_no_hands(understudy):
+    urdf = export(understudy, "g1")
+    urdf.write_text(urdf.read_text().replace('"left_wrist_yaw_link"', '"left_stump"'))
+    made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "g1_29dof_dex3")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert "it can bear hands" not in made.stdout
+    assert "hand_makes: []" in pathlib.Path("mine/mine.yaml").read_text()
+    assert understudy("check", "mine/mine.yaml").returncode == 0
+    refused = understudy("run", "mine/mine.yaml", "--hands", "dex1")
+    assert refused.returncode == 3 and "this robot bears no hands" in refused.stderr
+
+
 TIED = '<link name="{0}"/><joint name="tie" type="{1}"><parent link="{0}"/><child link="{2}"/></joint></robot>'
 
 
