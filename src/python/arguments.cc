@@ -51,6 +51,7 @@ void Fill(const std::array<const nb::object*, 5>& given, std::size_t motors,
                                                                         {"kp", &MotorCommand::kp},
                                                                         {"kd", &MotorCommand::kd}};
   for (std::size_t field = 0; field < given.size(); ++field) {
+    if (given[field]->is_none()) continue;
     const auto& [name, place] = kFields[field];
     const std::vector<double> all = PerMotor(name, *given[field], motors, commands.size());
     for (std::size_t i = 0; i < commands.size(); ++i) commands[i].*place = all[i];

@@ -17,7 +17,7 @@ namespace understudy::python {
 
 // Fills in q, dq, tau, kp and kd, in this order, of `commands`, `motors` to a robot. Each is a
 // number for all, an array with one for each motor of a robot, or an array of all, of shape
-// (robots, motors). Throws std::invalid_argument.
+// (robots, motors); None leaves the field as it is. Throws std::invalid_argument.
 void Fill(const std::array<const nanobind::object*, 5>& given, std::size_t motors,
           std::span<robot::MotorCommand> commands);
 

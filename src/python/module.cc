@@ -68,11 +68,10 @@ void Command(Robot& robot, const nb::object& q, const nb::object& dq, const nb::
              const nb::object& kp, const nb::object& kd, bool enabled, double weight,
              const std::string& topic) {
   const std::size_t number = robot.TopicOf(topic);
-  const std::size_t motors = robot.MotorsOf(number);
-  robot::RobotCommand command;
-  command.motors.assign(motors, {.enabled = enabled});
+  robot::RobotCommand command = robot.CommandOf(number);
+  for (robot::MotorCommand& motor : command.motors) motor.enabled = enabled;
   command.weight = weight;
-  Fill({&q, &dq, &tau, &kp, &kd}, motors, command.motors);
+  Fill({&q, &dq, &tau, &kp, &kd}, command.motors.size(), command.motors);
   robot.world().port(robot.index()).Give(number, std::move(command));
 }
 
@@ -267,13 +266,15 @@ void BindRobot(nb::module_& m) {
       .def_prop_ro("damage", &Damage,
                    "what the run would have done to the robot so far, as "
                    "`understudy ctl damage` has it")
-      .def("command", &Command, nb::kw_only(), "q"_a = 0.0, "dq"_a = 0.0, "tau"_a = 0.0,
-           "kp"_a = 0.0, "kd"_a = 0.0, "enabled"_a = true, "weight"_a = 1.0,
+      .def("command", &Command, nb::kw_only(), "q"_a = 0.0, "dq"_a = nb::none(),
+           "tau"_a = nb::none(), "kp"_a = 0.0, "kd"_a = 0.0, "enabled"_a = true, "weight"_a = 1.0,
            "topic"_a = "rt/lowcmd",
            "Sends one command to all motors of a topic: a number, or an array of shape (motors,), "
            "in the order of `joints`.\n\nq [rad], dq [rad/s], tau [N·m], kp [N·m/rad], kd "
            "[N·m·s/rad]. It is heard in the next step and judged as a LowCmd on the bus. `weight` "
-           "is that of rt/arm_sdk. Raises ValueError for another shape or topic.")
+           "is that of rt/arm_sdk. dq and tau that are not given are 0, but of hands that follow "
+           "goals: a brainco goes there at full speed, an inspire_ftp at the speed and with the "
+           "most torque of the command before. Raises ValueError for another shape or topic.")
       .def(
           "step", [](Robot& r, double seconds) { Step(r.world(), seconds); }, "seconds"_a = 0.001,
           "Steps the whole world by so many seconds of simulated time.")

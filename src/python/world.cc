@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "base/printed.h"
 #include "config/data_dir.h"
+#include "robot/hand_law.h"
 
 namespace understudy::python {
 
@@ -97,10 +98,23 @@ std::size_t Robot::TopicOf(const std::string& topic) const {
                               "'");
 }
 
-std::size_t Robot::MotorsOf(std::size_t topic) const {
-  return topic < robot::kFirstHandTopic
-             ? spec().motors.size()
-             : spec().hands[topic - robot::kFirstHandTopic].motors.size();
+robot::RobotCommand Robot::CommandOf(std::size_t topic) const {
+  using enum robot::HandLaw::Follows;
+  robot::RobotCommand command;
+  if (topic < robot::kFirstHandTopic) {
+    command.motors.resize(spec().motors.size());
+    return command;
+  }
+  const robot::HandSpec& hand = spec().hands[topic - robot::kFirstHandTopic];
+  const robot::HandLaw::Follows follows = robot::LawOf(hand).follows;
+  for (const robot::MotorSpec& motor : hand.motors) {
+    robot::MotorCommand& unsaid = command.motors.emplace_back();
+    if (follows == kGoalsAtSpeed) unsaid.dq = motor.knee_speed;
+    if (follows != kRegisters) continue;
+    unsaid.dq = robot::kNoVelocity;
+    unsaid.tau = -1;
+  }
+  return command;
 }
 
 const robot::RobotState& Robot::lowstate() const {

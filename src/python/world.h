@@ -53,10 +53,12 @@ class Robot {
   const physics::RobotBody& body() const;
   const emulator::Robot& part() const;
 
-  // The number of a topic of commands, and how many motors its commands have. Throw
-  // std::invalid_argument, which names those that there are, if the robot does not have it.
+  // Returns the number of a topic of commands. Throws std::invalid_argument, which names those that
+  // there are, if the robot does not have it.
   std::size_t TopicOf(const std::string& topic) const;
-  std::size_t MotorsOf(std::size_t topic) const;
+  // Returns a command of that topic in which nobody has set anything: 0; of hands that follow
+  // goals, full speed, or the speed and most torque of the command before.
+  robot::RobotCommand CommandOf(std::size_t topic) const;
   // Returns the last LowState. Throws std::runtime_error before the first.
   const robot::RobotState& lowstate() const;
   // Carries out a request on this robot; `values` is a JSON object. Throws ControlError.

@@ -88,6 +88,40 @@ def test_hands_and_arms_are_commanded_by_their_topics():
     assert not [event for event in robot.take_events() if event["kind"] == "refused"]
 
 
+def finger(robot, motor):
+    """The angle of a motor of the left hand; hands stand behind the body."""
+    return robot.truth.q[len(robot.joints) + motor]
+
+
+@pytest.mark.parametrize("make, topic, index", [
+    ("inspire_ftp", "rt/inspire_hand/ctrl/l", 3),
+    ("brainco", "rt/brainco/left/cmd", 2),
+])
+def test_a_hand_that_follows_goals_goes_to_an_angle_alone_and_slower_when_told(make, topic, index):
+    def reached(**speed):
+        robot = understudy.Robot("g1", set={"robot.hand_make": make, "start.pose": "clamped"})
+        robot.step(0.1)
+        robot.command(topic=topic, q=1.2, **speed)
+        robot.step(2)
+        return finger(robot, index)
+
+    assert reached() == pytest.approx(1.2, abs=0.1)
+    assert 0.02 < reached(dq=0.1) < 0.4
+
+
+def test_an_ftp_hand_without_torque_does_not_close():
+    robot = understudy.Robot("g1", set={"robot.hand_make": "inspire_ftp", "start.pose": "clamped"})
+    robot.step(0.1)
+    robot.command(topic="rt/inspire_hand/ctrl/l", q=1.2, tau=0)
+    robot.step(2)
+    assert finger(robot, 3) < 0.4
+
+
+def test_the_truth_has_the_force_on_each_hand():
+    assert understudy.Robot("g1", set={"robot.hand_make": "inspire"}).truth.hand_force.tolist() == [0, 0]
+    assert understudy.Robot("go2").truth.hand_force.tolist() == []
+
+
 def test_a_bad_number_is_refused_as_on_the_bus_and_reported():
     robot = understudy.Robot("go2", set=STANDS)
     robot.take_events()
