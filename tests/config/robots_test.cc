@@ -87,6 +87,17 @@ TEST(RobotsTest, TheDex3sAreHandsOfAG1WithSevenMotorsEach) {
   }
 }
 
+TEST(RobotsTest, AG1ListsTheProgramsOfDex3HandsAlsoWithoutThem) {
+  for (const char* name : {"g1", "g1_23dof", "g1_29dof_dex3"}) {
+    const std::vector<robot::ServiceSpec> services = Robot(name).robots[0].spec.services;
+    for (const char* program : {"dex3_service_l", "dex3_service_r"}) {
+      const auto found = std::ranges::find(services, program, &robot::ServiceSpec::name);
+      ASSERT_NE(found, services.end()) << name << " " << program;
+      EXPECT_TRUE(found->on && !found->protect && found->version.empty()) << program;
+    }
+  }
+}
+
 TEST(RobotsTest, G1PairsArePitchAndRollOfOneMechanism) {
   const robot::RobotSpec robot = Robot("g1").robots[0].spec;
   ASSERT_EQ(robot.parallel.size(), 3U);
