@@ -51,3 +51,35 @@ def test_only_a_gripper_times_out(hands):
     assert [hand["timeouts"] for hand in run.hands] == [int(make.startswith("dex1"))] * len(run.hands)
     assert not any(run.refused_by_hands)
     assert all(hand["accepted"] > 0 for hand in run.hands)
+
+
+@pytest.fixture(params=BEARERS[:4], ids="-".join)
+def calibrated(request, rehearse):
+    robot, make = request.param
+    run = rehearse(robot, "hands_calibrate.py", make,
+                   options=("--start", "clamped", "--hands", make, "--clock", "simulated"))  # fmt: skip
+    assert run.succeeded()
+    return make, run
+
+
+def test_a_hand_that_waits_while_the_other_calibrates_stays_unless_they_share_messages(calibrated):
+    make, run = calibrated
+    topics, _, _, opened, closed = MAKES[make]
+    waits_at = opened if len(topics) == 2 else 0.0  # what a new message has
+    assert run.report["waited"] == pytest.approx([waits_at] * len(run.report["waited"]), abs=0.2)
+    assert run.report["called"] == pytest.approx([closed] * len(run.report["called"]), abs=0.2)
+
+
+def test_a_hand_stays_while_the_other_calibrates_in_messages_that_repeat_its_entries(calibrated):
+    make, run = calibrated
+    topics, _, _, opened, _ = MAKES[make]
+    kept = run.report["kept"]
+    assert (kept is None) == (len(topics) == 2)
+    assert kept is None or kept == pytest.approx([opened] * len(kept), abs=0.2)
+
+
+def test_only_a_gripper_that_waits_times_out(calibrated):
+    make, run = calibrated
+    timeouts = {hand["name"]: hand["timeouts"] for hand in run.hands}
+    if "right" in timeouts:
+        assert (timeouts["right"] > 0) == (make == "dex1")

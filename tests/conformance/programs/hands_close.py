@@ -45,12 +45,20 @@ class Hand:
     def q(self):
         return [round(motor.q, 3) for motor in self.latest.states]
 
-    def send(self, q):
+    def send(self, qs):
         message = MotorCmds_()
         message.cmds = [unitree_go_msg_dds__MotorCmd_() for _ in range(self.motors)]
-        for motor in message.cmds:  # gains of a Dex1-1, full speed of a Revo2
+        for motor, q in zip(message.cmds, qs, strict=True):  # gains of a Dex1-1, full speed of a Revo2
             motor.q, motor.dq, motor.kp, motor.kd = q, 1.0, 5.0, 0.05
         self._publisher.Write(message)
+
+
+def first_states(hands):
+    deadline = time.monotonic() + PATIENCE
+    while not all(hand.latest for hand in hands.values()):
+        if time.monotonic() > deadline:
+            sys.exit(f"no states within {PATIENCE:.0f} s")
+        time.sleep(PERIOD)
 
 
 def move(hands, q):
@@ -59,7 +67,7 @@ def move(hands, q):
         if time.monotonic() > end:
             sys.exit(f"not at {q} within {PATIENCE:.0f} s")
         for hand in hands.values():
-            hand.send(q)
+            hand.send([q] * hand.motors)
         time.sleep(PERIOD)
     return {topic: hand.q() for topic, hand in hands.items()}
 
@@ -68,11 +76,7 @@ def main():
     make = arguments(__doc__, lambda parser: parser.add_argument("make", choices=MAKES)).make
     topics, motors, opened, closed = MAKES[make]
     hands = {topic: Hand(topic, motors) for topic in topics}
-    deadline = time.monotonic() + PATIENCE
-    while not all(hand.latest for hand in hands.values()):
-        if time.monotonic() > deadline:
-            sys.exit(f"no states within {PATIENCE:.0f} s")
-        time.sleep(PERIOD)
+    first_states(hands)
     report = {"motors": {topic: len(hand.latest.states) for topic, hand in hands.items()}}
     report["first"] = {topic: hand.q() for topic, hand in hands.items()}
     report["open"] = move(hands, opened)
