@@ -301,6 +301,9 @@ mjcf::ModelHandle Compose(const std::vector<PlacedRobot>& placed, std::vector<Lo
     if (placed.size() == 1)
       objects::RequireOwnNames(around.objects, *robots[0].model, placed[0].file);
     world.children.push_back(objects::MakeObjectBodies(around.objects));
+    if (std::ranges::any_of(around.objects, objects::Walks)) {
+      world.children.push_back(objects::MakeExclusions(around.objects));
+    }
   }
   MakeRoom(robots, around.objects.size(), &world);
   mjcf::ModelHandle model;
