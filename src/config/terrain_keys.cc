@@ -1,4 +1,5 @@
 #include "config/keys.h"
+#include "objects/april_tags.h"
 
 namespace understudy::config {
 namespace {
@@ -46,6 +47,7 @@ void DescribeObject(Archive& a, objects::ObjectSpec& o) {
   a.Key(UNDERSTUDY_NVP(o.yaw), {"rad", {-10, 10}, "Its turn about the world's z axis"});
   a.Key(UNDERSTUDY_NVP(o.mass), {"kg", {0, 1000}, "0 is that of its kind"});
   a.Key(UNDERSTUDY_NVP(o.friction), {"", {0, 5}, "Sliding friction; 0 is that of its kind"});
+  a.Key(UNDERSTUDY_NVP(o.id), {"", {0, objects::kAprilTags - 1}, "Which AprilTag a tag shows"});
   a.List(UNDERSTUDY_NVP(o.path),
          {"Corners that it walks to from pos on, stopping for nothing; [] is none"},
          DescribeCorner);

@@ -162,6 +162,9 @@ void CheckObjects(const Config& config, const Checker& checker) {
                   "'" + names[i] + "' is that of objects." + std::to_string(other) + " too");
     checker.Check(list[i].mass == 0 || !objects::IsFixed(list[i]), key + ".mass",
                   "a " + list[i].kind + " is fixed to the world; expected 0");
+    const bool is_tag = objects::KindOf(list[i]).print.pattern == objects::Pattern::kAprilTag;
+    checker.Check(list[i].id == 0 || is_tag, key + ".id",
+                  "a " + list[i].kind + " shows no AprilTag; expected 0");
     CheckWalk(list[i], key, checker);
   }
 }

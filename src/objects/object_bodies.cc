@@ -11,6 +11,7 @@
 
 #include "base/errors.h"
 #include "base/printed.h"
+#include "objects/prints.h"
 #include "objects/walk.h"
 
 namespace understudy::objects {
@@ -96,6 +97,25 @@ double MassOf(const ObjectSpec& object) {
   return object.mass > 0 ? object.mass : KindOf(object).mass;
 }
 
+// Stands out by so little that nothing shows it, and by enough for a picture's depth.
+constexpr double kInk = 0.0005;  // m, *assumed*
+
+MjcfElement GeomOf(const Print& print, const ObjectKind& kind) {
+  const ObjectPart& board = kind.parts.front();
+  const std::array<double, 3> at{board.at[0] + board.size[0], print.at[0],
+                                 print.at[1] - kind.height / 2};
+  const std::array<double, 3> size{kInk, print.half[0], print.half[1]};
+  return Element("geom", {{"type", "box"},
+                          {"size", Numbers(size)},
+                          {"pos", Numbers(at)},
+                          {"quat", "1 0 0 0"},
+                          {"mass", "0"},
+                          {"rgba", "0 0 0 1"},
+                          {"contype", "0"},
+                          {"conaffinity", "0"},
+                          {"group", "0"}});
+}
+
 bool HasLegs(const ObjectSpec& object) { return Walks(object) && KindOf(object).gait.step > 0; }
 
 constexpr std::pair<Side, const char*> kLegs[] = {{Side::kLeft, "/left"}, {Side::kRight, "/right"}};
@@ -117,7 +137,7 @@ MjcfElement LegOf(const ObjectKind& kind, const std::string& name) {
   return leg;
 }
 
-MjcfElement BodyOf(const ObjectSpec& object, const std::string& name) {
+MjcfElement BodyOf(const ObjectSpec& object, const std::string& name, Prints prints) {
   const ObjectKind& kind = KindOf(object);
   WalkPose at{.x = object.pos[0], .y = object.pos[1], .yaw = object.yaw};
   if (Walks(object)) at = Walk(object).At(0);
@@ -140,16 +160,19 @@ MjcfElement BodyOf(const ObjectSpec& object, const std::string& name) {
       leg.children.push_back(GeomOf(part, kind.gait.hips, kind, mass, friction));
     }
   }
+  if (prints == Prints::kKept) {
+    for (const Print& print : PrintsOf(object)) body.children.push_back(GeomOf(print, kind));
+  }
   return body;
 }
 
 }  // namespace
 
-MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects) {
+MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects, Prints prints) {
   MjcfElement world = Element("worldbody", {});
   const std::vector<std::string> names = NamesOf(objects);
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    world.children.push_back(BodyOf(objects[i], names[i]));
+    world.children.push_back(BodyOf(objects[i], names[i], prints));
   }
   return world;
 }

@@ -20,6 +20,7 @@ constexpr const char* kGreen = "0.24 0.5 0.36 1";
 constexpr const char* kCardboard = "0.7 0.55 0.38 1";
 constexpr const char* kDark = "0.16 0.17 0.19 1";
 constexpr const char* kOrange = "0.9 0.5 0.15 1";
+constexpr const char* kPaper = "1 1 1 1";
 constexpr const char* kSkin = "0.8 0.62 0.5 1";
 constexpr bool kLies = true;
 
@@ -80,8 +81,14 @@ constexpr ObjectPart kCart[] = {{kCylinder, {0.36, 0.24, 0.08}, {0.08, 0.02}, kD
                                 {kCylinder, {-0.43, -0.27, 0.6}, {0.015, 0.4}, kDark},
                                 {kCapsule, {-0.43, 0, 0.985}, {0.015, 0.27}, kDark, kLies}};
 
+constexpr ObjectPart kTag[] = {{kBox, {0, 0, 0.1}, {0.005, 0.1, 0.1}, kPaper}};
+constexpr ObjectPart kBoard[] = {{kBox, {0, 0, 0.12}, {0.005, 0.15, 0.12}, kPaper}};
+
 constexpr GaitSpec kPersonsGait{.hips = 0.82, .step = 0.7};
 constexpr GaitSpec kChildsGait{.hips = 0.56, .step = 0.5};
+constexpr PrintSpec kPlain{};
+constexpr PrintSpec kTagPrint{.pattern = Pattern::kAprilTag, .cell = 0.02};
+constexpr PrintSpec kBoardPrint{.pattern = Pattern::kCheckers, .cell = 0.03};
 
 constexpr double kFixed = 0, kStays = 0;
 constexpr ObjectKind kKinds[] = {
@@ -100,10 +107,15 @@ constexpr ObjectKind kKinds[] = {
      kPedestal},
     {"person", "A person, 50 cm wide", 1.75, kFixed, 0.6, kStays,
      "speed: Bohannon, Age and Ageing 26 (1997), comfortable gait of adults; rest assumed", kPerson,
-     1.4, kPersonsGait},
-    {"child", "A child, 40 cm wide", 1.2, kFixed, 0.6, kStays, "assumed", kChild, 1, kChildsGait},
+     1.4, kPlain, kPersonsGait},
+    {"child", "A child, 40 cm wide", 1.2, kFixed, 0.6, kStays, "assumed", kChild, 1, kPlain,
+     kChildsGait},
     {"cart", "A cart of 90 × 60 cm with boxes, its handle behind", 1, kFixed, 0.6, kStays,
      "assumed", kCart, 0.8},
+    {"tag", "An AprilTag of 36h11, 16 cm, on a board of 20 cm", 0.2, kFixed, 0.6, kStays,
+     "pattern: AprilRobotics/apriltag; rest assumed", kTag, 0, kTagPrint},
+    {"checkerboard", "A checkerboard of 9 × 7 squares of 3 cm, on a board of 30 × 24 cm", 0.24,
+     kFixed, 0.6, kStays, "assumed", kBoard, 0, kBoardPrint},
 };
 
 }  // namespace

@@ -25,10 +25,18 @@ struct ObjectPart {
   Side swings = Side::kNeither;  // as a leg of that side, while the object walks
 };
 
+enum class Pattern : std::uint8_t { kNone, kAprilTag, kCheckers };
+
 // How legs swing: as a pendulum about the hips that takes a foot half a step ahead and behind.
 struct GaitSpec {
   double hips = 0;  // m over the underside
   double step = 0;  // m; 0: it has no legs
+};
+
+// What is printed on an object's front, in its middle; cameras alone see it (objects/prints.h).
+struct PrintSpec {
+  Pattern pattern = Pattern::kNone;
+  double cell = 0;  // m, side of a cell or a square
 };
 
 // A row: sizes are those of its parts.
@@ -42,6 +50,7 @@ struct ObjectKind {
   std::string_view source;
   std::span<const ObjectPart> parts;
   double speed = 0;  // m/s along a path; 0: the object has to say
+  PrintSpec print{};
   GaitSpec gait{};
 
   bool fixed() const { return mass == 0; }
@@ -73,6 +82,7 @@ struct ObjectSpec {
   double speed = 0;  // m/s; 0: the kind's
   double wait = 0;   // s that it stands at `pos`, each time
   PathEnd then = PathEnd::kBack;
+  int id = 0;    // of an AprilTag
   int seed = 0;  // draws where on its way it begins; 0: at `pos`
 };
 

@@ -113,6 +113,14 @@ TEST_F(ObjectsConfigTest, SayWhyTheyCannotWalk) {
               HasSubstr("objects.0.path: expected at most 64, got 65"));
 }
 
+TEST_F(ObjectsConfigTest, ShowAnAprilTagWhereTheyAreOne) {
+  EXPECT_EQ(LoadText("objects: [{kind: tag, id: 586}]\n").objects[0].id, 586);
+  EXPECT_EQ(FileError("objects: [{kind: tag, id: 587}]\n"),
+            "run.yaml:1: objects.0.id: expected a whole number from 0 to 586, got '587'");
+  EXPECT_EQ(FileError("objects: [{kind: checkerboard, id: 1}]\n"),
+            "run.yaml:1: objects.0.id: a checkerboard shows no AprilTag; expected 0");
+}
+
 TEST_F(ObjectsConfigTest, AreNotTooMany) {
   std::string list;
   for (std::size_t i = 0; i < objects::kMostObjects; ++i) list += "{kind: cube},";
