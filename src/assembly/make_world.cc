@@ -154,6 +154,7 @@ MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::Mo
   std::vector<physics::PlacedRobot> placed = PlacedRobots(config);
   physics::World world(std::move(model), placed, std::move(nominal),
                        reused == nullptr ? nullptr : std::move(reused->memory));
+  world.Walk(config.objects);
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (IsThirdParty(config.robots[i])) CheckMotion(config.robots[i], world.robot(i), &notes);
     const std::string& look = config.robots[i].look;

@@ -1,4 +1,5 @@
 #include "config/keys.h"
+#include "objects/april_tags.h"
 
 namespace understudy::config {
 namespace {
@@ -31,6 +32,11 @@ void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
          DescribePatch);
 }
 
+void DescribeCorner(Archive& a, objects::PathPoint& p) {
+  a.Key(UNDERSTUDY_NVP(p.to), {"m", {-1000, 1000}, "Where in the world it is"});
+  a.Key(UNDERSTUDY_NVP(p.wait), {"s", {0, 3600}, "How long the object stands there, each time"});
+}
+
 void DescribeObject(Archive& a, objects::ObjectSpec& o) {
   a.Word(UNDERSTUDY_NVP(o.kind), {"What it is"}, objects::ObjectKindNames());
   a.Key(UNDERSTUDY_NVP(o.name),
@@ -41,6 +47,18 @@ void DescribeObject(Archive& a, objects::ObjectSpec& o) {
   a.Key(UNDERSTUDY_NVP(o.yaw), {"rad", {-10, 10}, "Its turn about the world's z axis"});
   a.Key(UNDERSTUDY_NVP(o.mass), {"kg", {0, 1000}, "0 is that of its kind"});
   a.Key(UNDERSTUDY_NVP(o.friction), {"", {0, 5}, "Sliding friction; 0 is that of its kind"});
+  a.Key(UNDERSTUDY_NVP(o.id), {"", {0, objects::kAprilTags - 1}, "Which AprilTag a tag shows"});
+  a.List(UNDERSTUDY_NVP(o.path),
+         {"Corners that it walks to from pos on, stopping for nothing; [] is none"},
+         DescribeCorner);
+  a.Key(UNDERSTUDY_NVP(o.speed), {"m/s", {0, 5}, "At which it walks; 0 is that of its kind"});
+  a.Key(UNDERSTUDY_NVP(o.wait), {"s", {0, 3600}, "How long it stands at pos, each time"});
+  a.Choice(
+      UNDERSTUDY_NVP(o.then),
+      {"What it does at the last corner: the way back, straight to pos and round again, or stay"},
+      {"back", "round", "stay"});
+  a.Key(UNDERSTUDY_NVP(o.seed),
+        {"", {0, kMaxInt}, "Draws where on its way it begins; 0 is at pos"});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "config/validate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -107,6 +108,39 @@ void CheckFaults(const Config& config, const Checker& checker) {
   }
 }
 
+// `key` is that of the object.
+void CheckWalk(const objects::ObjectSpec& object, const std::string& key, const Checker& checker) {
+  constexpr double kShortest = 0.01;  // m
+  if (!objects::Walks(object)) {
+    const objects::ObjectSpec none;
+    for (const auto& [name, is_set] :
+         {std::pair{".speed", object.speed != 0}, std::pair{".wait", object.wait != 0},
+          std::pair{".then", object.then != none.then}, std::pair{".seed", object.seed != 0}}) {
+      checker.Check(!is_set, key + name, "is of a path, and this object has none; expected path");
+    }
+    return;
+  }
+  checker.Check(object.path.size() <= objects::kMostCorners, key + ".path",
+                "expected at most " + std::to_string(objects::kMostCorners) + ", got " +
+                    std::to_string(object.path.size()));
+  checker.Check(objects::SpeedOf(object) > 0, key + ".path",
+                "a " + object.kind + " has no speed of its own; expected speed beside it");
+  checker.Check(object.mass == 0, key + ".mass", "nothing moves what walks; expected 0");
+  checker.Check(object.yaw == 0, key + ".yaw", "what walks looks where it goes; expected 0");
+  std::array<double, 2> at{object.pos[0], object.pos[1]};
+  const auto is_at = [&at](const std::array<double, 2>& to) {
+    return std::hypot(to[0] - at[0], to[1] - at[1]) < kShortest;
+  };
+  for (std::size_t i = 0; i < object.path.size(); ++i) {
+    const std::array<double, 2>& to = object.path[i].to;
+    checker.Check(!is_at(to), key + ".path." + std::to_string(i) + ".to",
+                  "it is there already; expected another place");
+    at = to;
+  }
+  checker.Check(object.then != objects::PathEnd::kRound || !is_at({object.pos[0], object.pos[1]}),
+                key + ".path", "round goes back to pos by itself; expected another last corner");
+}
+
 void CheckObjects(const Config& config, const Checker& checker) {
   constexpr std::string_view kLetters =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
@@ -126,8 +160,12 @@ void CheckObjects(const Config& config, const Checker& checker) {
     const auto other = std::ranges::find(names, names[i]) - names.begin();
     checker.Check(static_cast<std::size_t>(other) == i, key + ".name",
                   "'" + names[i] + "' is that of objects." + std::to_string(other) + " too");
-    checker.Check(list[i].mass == 0 || !objects::KindOf(list[i]).fixed(), key + ".mass",
+    checker.Check(list[i].mass == 0 || !objects::IsFixed(list[i]), key + ".mass",
                   "a " + list[i].kind + " is fixed to the world; expected 0");
+    const bool is_tag = objects::KindOf(list[i]).print.pattern == objects::Pattern::kAprilTag;
+    checker.Check(list[i].id == 0 || is_tag, key + ".id",
+                  "a " + list[i].kind + " shows no AprilTag; expected 0");
+    CheckWalk(list[i], key, checker);
   }
 }
 

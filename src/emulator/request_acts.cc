@@ -27,14 +27,22 @@ Result<int> FindBody(const physics::World& world, std::size_t robot, std::string
   if (body < 0) body = world.robot(robot).FindBody(std::string(name));
   if (body < 0) return NoBody(world, name);
   if (body == 0) return Error{"'" + std::string(name) + "' does not move"};
+  if (const physics::LooseBody* const found = world.ObjectOf(body); found && found->walks) {
+    return Error{"'" + found->name + "' walks along its path; no force moves it"};
+  }
   return body;
 }
 
 Result<const physics::LooseBody*> FindObject(const physics::World& world, std::string_view name) {
-  if (const physics::LooseBody* const found = world.FindObject(name)) return found;
-  if (world.objects().empty()) return Error{"the scene has no objects"};
+  if (const physics::LooseBody* const found = world.FindObject(name)) {
+    if (!found->walks) return found;
+    return Error{"'" + found->name + "' walks along its path; reset puts it back at the start"};
+  }
   std::vector<std::string> names;
-  for (const physics::LooseBody& object : world.objects()) names.push_back(object.name);
+  for (const physics::LooseBody& object : world.objects()) {
+    if (!object.walks) names.push_back(object.name);
+  }
+  if (names.empty()) return Error{"the scene has no objects"};
   return Error{"the scene has no object '" + std::string(name) + "'" + DidYouMean(name, names)};
 }
 

@@ -11,6 +11,8 @@
 
 #include "base/errors.h"
 #include "base/printed.h"
+#include "objects/prints.h"
+#include "objects/walk.h"
 
 namespace understudy::objects {
 namespace {
@@ -54,13 +56,15 @@ MjcfElement Element(const std::string& name,
   return {.name = name, .attributes = std::move(attributes), .children = {}, .place = {}};
 }
 
-// `mass` [kg] and `friction` are those of the object.
-MjcfElement GeomOf(const ObjectPart& part, const ObjectKind& kind, double mass, double friction) {
+// In a body whose origin is `origin` [m] over the underside. `mass` [kg] and `friction` are those
+// of the object.
+MjcfElement GeomOf(const ObjectPart& part, double origin, const ObjectKind& kind, double mass,
+                   double friction) {
   double volume = 0;
   for (const ObjectPart& one : kind.parts) volume += VolumeOf(one);
   const ShapeRow& row = RowOf(part);
   std::array<double, 3> at = part.at;
-  at[2] -= kind.height / 2;
+  at[2] -= origin;
   const bool rolls = kind.rolling > 0;
   const char* const upright = "1 0 0 0";
   const char* const along_y = "0.70710678118654757 0.70710678118654757 0 0";
@@ -84,31 +88,126 @@ MjcfElement GeomOf(const ObjectPart& part, const ObjectKind& kind, double mass, 
                           {"solimp", kImpedance}});
 }
 
-MjcfElement BodyOf(const ObjectSpec& object, const std::string& name) {
+// What MuJoCo asks of what is fixed, though it moves nothing; what walks hardly gives way.
+constexpr double kMassOfFixed = 1, kMassOfWalker = 200;  // kg, *assumed*
+
+double MassOf(const ObjectSpec& object) {
+  if (Walks(object)) return kMassOfWalker;
+  if (IsFixed(object)) return kMassOfFixed;
+  return object.mass > 0 ? object.mass : KindOf(object).mass;
+}
+
+// Stands out by so little that nothing shows it, and by enough for a picture's depth.
+constexpr double kInk = 0.0005;  // m, *assumed*
+
+MjcfElement GeomOf(const Print& print, const ObjectKind& kind) {
+  const ObjectPart& board = kind.parts.front();
+  const std::array<double, 3> at{board.at[0] + board.size[0], print.at[0],
+                                 print.at[1] - kind.height / 2};
+  const std::array<double, 3> size{kInk, print.half[0], print.half[1]};
+  return Element("geom", {{"type", "box"},
+                          {"size", Numbers(size)},
+                          {"pos", Numbers(at)},
+                          {"quat", "1 0 0 0"},
+                          {"mass", "0"},
+                          {"rgba", "0 0 0 1"},
+                          {"contype", "0"},
+                          {"conaffinity", "0"},
+                          {"group", "0"}});
+}
+
+bool HasLegs(const ObjectSpec& object) { return Walks(object) && KindOf(object).gait.step > 0; }
+
+constexpr std::pair<Side, const char*> kLegs[] = {{Side::kLeft, "/left"}, {Side::kRight, "/right"}};
+
+// Without its shapes; its origin is between the hips.
+MjcfElement LegOf(const ObjectKind& kind, const std::string& name) {
+  const std::array<double, 3> pos{0, 0, kind.gait.hips - kind.height / 2};
+  MjcfElement leg = Element("body", {{"name", name}, {"pos", Numbers(pos)}});
+  leg.children.push_back(Element("joint", {{"name", name},
+                                           {"type", "hinge"},
+                                           {"axis", "0 1 0"},
+                                           {"pos", "0 0 0"},
+                                           {"limited", "false"},
+                                           {"ref", "0"},
+                                           {"stiffness", "0"},
+                                           {"damping", "0"},
+                                           {"frictionloss", "0"},
+                                           {"armature", "0"}}));
+  return leg;
+}
+
+MjcfElement BodyOf(const ObjectSpec& object, const std::string& name, Prints prints) {
   const ObjectKind& kind = KindOf(object);
-  const std::array<double, 3> at{object.pos[0], object.pos[1], object.pos[2] + kind.height / 2};
-  const std::array<double, 4> turn{std::cos(object.yaw / 2), 0, 0, std::sin(object.yaw / 2)};
+  WalkPose at{.x = object.pos[0], .y = object.pos[1], .yaw = object.yaw};
+  if (Walks(object)) at = Walk(object).At(0);
+  const std::array<double, 3> pos{at.x, at.y, object.pos[2] + kind.height / 2};
+  const std::array<double, 4> turn{std::cos(at.yaw / 2), 0, 0, std::sin(at.yaw / 2)};
   MjcfElement body =
-      Element("body", {{"name", name}, {"pos", Numbers(at)}, {"quat", Numbers(turn)}});
-  if (!kind.fixed()) body.children.push_back(Element("freejoint", {{"name", name}}));
-  double mass = object.mass > 0 ? object.mass : kind.mass;
-  if (kind.fixed()) mass = 1;  // kg: MuJoCo asks for some, though it moves nothing
+      Element("body", {{"name", name}, {"pos", Numbers(pos)}, {"quat", Numbers(turn)}});
+  if (!IsFixed(object)) body.children.push_back(Element("freejoint", {{"name", name}}));
+  const double mass = MassOf(object);
   const double friction = object.friction > 0 ? object.friction : kind.friction;
   for (const ObjectPart& part : kind.parts) {
-    body.children.push_back(GeomOf(part, kind, mass, friction));
+    if (HasLegs(object) && part.swings != Side::kNeither) continue;
+    body.children.push_back(GeomOf(part, kind.height / 2, kind, mass, friction));
+  }
+  for (const auto& [side, suffix] : kLegs) {
+    if (!HasLegs(object)) break;
+    MjcfElement& leg = body.children.emplace_back(LegOf(kind, name + suffix));
+    for (const ObjectPart& part : kind.parts) {
+      if (part.swings != side) continue;
+      leg.children.push_back(GeomOf(part, kind.gait.hips, kind, mass, friction));
+    }
+  }
+  if (prints == Prints::kKept) {
+    for (const Print& print : PrintsOf(object)) body.children.push_back(GeomOf(print, kind));
   }
   return body;
 }
 
 }  // namespace
 
-MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects) {
+MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects, Prints prints) {
   MjcfElement world = Element("worldbody", {});
   const std::vector<std::string> names = NamesOf(objects);
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    world.children.push_back(BodyOf(objects[i], names[i]));
+    world.children.push_back(BodyOf(objects[i], names[i], prints));
   }
   return world;
+}
+
+namespace {
+
+// Of those that walk: the object's and its legs'.
+std::vector<std::string> BodyNamesOf(const ObjectSpec& object, const std::string& name) {
+  std::vector<std::string> names{name};
+  if (!HasLegs(object)) return names;
+  for (const auto& [side, suffix] : kLegs) names.push_back(name + suffix);
+  return names;
+}
+
+}  // namespace
+
+MjcfElement MakeExclusions(std::span<const ObjectSpec> objects) {
+  MjcfElement contact = Element("contact", {});
+  const std::vector<std::string> names = NamesOf(objects);
+  std::vector<std::string> others{"world"}, walkers;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (IsFixed(objects[i])) others.push_back(names[i]);
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!Walks(objects[i])) continue;
+    for (const std::string& body : BodyNamesOf(objects[i], names[i])) {
+      for (const std::string& other : others) {
+        contact.children.push_back(Element("exclude", {{"body1", other}, {"body2", body}}));
+      }
+      walkers.push_back(body);
+    }
+    others.insert(others.end(), walkers.begin(), walkers.end());
+    walkers.clear();
+  }
+  return contact;
 }
 
 void RequireOwnNames(std::span<const ObjectSpec> objects, const mjModel& model,

@@ -8,6 +8,7 @@ namespace understudy::objects {
 namespace {
 
 using enum PartShape;
+using enum Side;
 
 // All sizes, masses and colours are assumed, such as shops sell, but for those whose row says more.
 constexpr const char* kOak = "0.62 0.45 0.29 1";
@@ -19,6 +20,8 @@ constexpr const char* kGreen = "0.24 0.5 0.36 1";
 constexpr const char* kCardboard = "0.7 0.55 0.38 1";
 constexpr const char* kDark = "0.16 0.17 0.19 1";
 constexpr const char* kOrange = "0.9 0.5 0.15 1";
+constexpr const char* kPaper = "1 1 1 1";
+constexpr const char* kSkin = "0.8 0.62 0.5 1";
 constexpr bool kLies = true;
 
 constexpr ObjectPart kCube[] = {{kBox, {0, 0, 0.025}, {0.025, 0.025, 0.025}, kRed}};
@@ -52,6 +55,41 @@ constexpr ObjectPart kTable[] = {{kBox, {0, 0, 0.73}, {0.35, 0.6, 0.02}, kOak},
                                  {kBox, {-0.31, -0.56, 0.355}, {0.025, 0.025, 0.355}, kOak}};
 constexpr ObjectPart kPedestal[] = {{kBox, {0, 0, 0.4}, {0.15, 0.15, 0.4}, kWhite}};
 
+constexpr ObjectPart kPerson[] = {
+    {kCapsule, {0, 0.09, 0.43}, {0.075, 0.355}, kDark, !kLies, kLeft},
+    {kCapsule, {0, -0.09, 0.43}, {0.075, 0.355}, kDark, !kLies, kRight},
+    {kBox, {0, 0, 1.14}, {0.11, 0.18, 0.3}, kRed},
+    {kCapsule, {0, 0.23, 1.11}, {0.045, 0.265}, kRed},
+    {kCapsule, {0, -0.23, 1.11}, {0.045, 0.265}, kRed},
+    {kCylinder, {0, 0, 1.48}, {0.05, 0.05}, kSkin},
+    {kSphere, {0, 0, 1.635}, {0.115}, kSkin}};
+constexpr ObjectPart kChild[] = {{kCapsule, {0, 0.065, 0.29}, {0.06, 0.23}, kDark, !kLies, kLeft},
+                                 {kCapsule, {0, -0.065, 0.29}, {0.06, 0.23}, kDark, !kLies, kRight},
+                                 {kBox, {0, 0, 0.76}, {0.08, 0.13, 0.2}, kBlue},
+                                 {kCapsule, {0, 0.165, 0.76}, {0.035, 0.17}, kBlue},
+                                 {kCapsule, {0, -0.165, 0.76}, {0.035, 0.17}, kBlue},
+                                 {kCylinder, {0, 0, 0.98}, {0.035, 0.04}, kSkin},
+                                 {kSphere, {0, 0, 1.1}, {0.1}, kSkin}};
+// Its handle is behind.
+constexpr ObjectPart kCart[] = {{kCylinder, {0.36, 0.24, 0.08}, {0.08, 0.02}, kDark, kLies},
+                                {kCylinder, {0.36, -0.24, 0.08}, {0.08, 0.02}, kDark, kLies},
+                                {kCylinder, {-0.36, 0.24, 0.08}, {0.08, 0.02}, kDark, kLies},
+                                {kCylinder, {-0.36, -0.24, 0.08}, {0.08, 0.02}, kDark, kLies},
+                                {kBox, {0, 0, 0.19}, {0.45, 0.3, 0.03}, kBlue},
+                                {kBox, {0.05, 0, 0.47}, {0.35, 0.26, 0.25}, kCardboard},
+                                {kCylinder, {-0.43, 0.27, 0.6}, {0.015, 0.4}, kDark},
+                                {kCylinder, {-0.43, -0.27, 0.6}, {0.015, 0.4}, kDark},
+                                {kCapsule, {-0.43, 0, 0.985}, {0.015, 0.27}, kDark, kLies}};
+
+constexpr ObjectPart kTag[] = {{kBox, {0, 0, 0.1}, {0.005, 0.1, 0.1}, kPaper}};
+constexpr ObjectPart kBoard[] = {{kBox, {0, 0, 0.12}, {0.005, 0.15, 0.12}, kPaper}};
+
+constexpr GaitSpec kPersonsGait{.hips = 0.82, .step = 0.7};
+constexpr GaitSpec kChildsGait{.hips = 0.56, .step = 0.5};
+constexpr PrintSpec kPlain{};
+constexpr PrintSpec kTagPrint{.pattern = Pattern::kAprilTag, .cell = 0.02};
+constexpr PrintSpec kBoardPrint{.pattern = Pattern::kCheckers, .cell = 0.03};
+
 constexpr double kFixed = 0, kStays = 0;
 constexpr ObjectKind kKinds[] = {
     {"cube", "A cube of 5 cm", 0.05, 0.1, 0.6, kStays, "assumed", kCube},
@@ -67,6 +105,17 @@ constexpr ObjectKind kKinds[] = {
     {"table", "A table of 70 × 120 cm, 75 cm high", 0.75, kFixed, 0.6, kStays, "assumed", kTable},
     {"pedestal", "A pedestal of 30 × 30 cm, 80 cm high", 0.8, kFixed, 0.6, kStays, "assumed",
      kPedestal},
+    {"person", "A person, 50 cm wide", 1.75, kFixed, 0.6, kStays,
+     "speed: Bohannon, Age and Ageing 26 (1997), comfortable gait of adults; rest assumed", kPerson,
+     1.4, kPlain, kPersonsGait},
+    {"child", "A child, 40 cm wide", 1.2, kFixed, 0.6, kStays, "assumed", kChild, 1, kPlain,
+     kChildsGait},
+    {"cart", "A cart of 90 × 60 cm with boxes, its handle behind", 1, kFixed, 0.6, kStays,
+     "assumed", kCart, 0.8},
+    {"tag", "An AprilTag of 36h11, 16 cm, on a board of 20 cm", 0.2, kFixed, 0.6, kStays,
+     "pattern: AprilRobotics/apriltag; rest assumed", kTag, 0, kTagPrint},
+    {"checkerboard", "A checkerboard of 9 × 7 squares of 3 cm, on a board of 30 × 24 cm", 0.24,
+     kFixed, 0.6, kStays, "assumed", kBoard, 0, kBoardPrint},
 };
 
 }  // namespace
@@ -88,6 +137,14 @@ const ObjectKind& KindOf(const ObjectSpec& object) {
   return *found;
 }
 
+bool Walks(const ObjectSpec& object) { return !object.path.empty(); }
+
+bool IsFixed(const ObjectSpec& object) { return KindOf(object).fixed() && !Walks(object); }
+
+double SpeedOf(const ObjectSpec& object) {
+  return object.speed > 0 ? object.speed : KindOf(object).speed;
+}
+
 std::vector<std::string> NamesOf(std::span<const ObjectSpec> objects) {
   std::vector<std::string> names;
   std::map<std::string, int> counts;
@@ -102,7 +159,7 @@ std::vector<std::string> NamesOf(std::span<const ObjectSpec> objects) {
 std::vector<std::string> MovingNamesOf(std::span<const ObjectSpec> objects) {
   std::vector<std::string> names = NamesOf(objects), moving;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (!KindOf(objects[i]).fixed()) moving.push_back(std::move(names[i]));
+    if (!IsFixed(objects[i])) moving.push_back(std::move(names[i]));
   }
   return moving;
 }

@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 // All *assumed*.
 constexpr double kMapCell = 0.08;         // m
 constexpr std::int64_t kRemembered = 30;  // clouds: two seconds of an L1's
+constexpr std::int64_t kWindow = 15;      // clouds
 constexpr double kStepsUp = 0.12;         // m that it steps up
 constexpr double kGroundRise = 0.03;  // by which the ground seems to rise, by errors of attitude
 constexpr double kOwnX = 0.45, kOwnY = 0.3;  // m, half the sides of what its legs may be in
@@ -53,13 +54,19 @@ void ObstacleMap::Add(const Vector3d& p_OP, const Vector3d& p_BP) {
   if (above > kPassesUnder || own) return;
   const std::int64_t x = MapCellOf(p_OP.x()), y = MapCellOf(p_OP.y());
   Cell& cell = cells_[PlaceOf(x, y)];
+  const std::int64_t window = cloud_ / kWindow;
   const auto z = static_cast<float>(altitude_ + above);
   if (!IsFresh(cell) || cell.x != x || cell.y != y) {
-    cell = {.x = x, .y = y, .cloud = cloud_, .low = z, .high = z};
+    cell = {.x = x, .y = y, .cloud = cloud_, .low = z, .high = z, .before = z, .window = window};
     return;
   }
   cell.cloud = cloud_;
   cell.low = std::min(cell.low, z);
+  if (cell.window != window) {
+    cell.before = cell.window + 1 == window ? cell.high : z;
+    cell.high = z;
+    cell.window = window;
+  }
   cell.high = std::max(cell.high, z);
 }
 
@@ -74,7 +81,7 @@ bool ObstacleMap::Blocks(const Cell& cell) const {
     }
   }
   const double away = (MapMiddleOf(cell.x, cell.y) - base_.p_OB.head<2>()).norm();
-  return cell.high - ground > kStepsUp + kGroundRise * away;
+  return std::max(cell.high, cell.before) - ground > kStepsUp + kGroundRise * away;
 }
 
 void ObstacleMap::Read(robot::SeenObstacles* seen) const {

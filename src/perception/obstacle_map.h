@@ -13,7 +13,8 @@
 
 namespace understudy::perception {
 
-// Keeps the echoes of the last two seconds in cells of the frame `odom`. A cell is an obstacle
+// Keeps the echoes of the last two seconds in cells of the frame `odom`. Where the ground is seen
+// again after something that moved, a cell forgets that within two windows of a second. A cell is an obstacle
 // where its highest echo is further above the ground around it than the robot steps up, and lower
 // than what it passes under. All figures are *assumed*: none is published. Allocates in the
 // constructor only.
@@ -37,7 +38,9 @@ class ObstacleMap {
   struct Cell {
     std::int64_t x = 0, y = 0;    // in cells from odom's origin
     std::int64_t cloud = kNever;  // the last one with an echo in it
-    float low = 0, high = 0;      // m, altitudes of its echoes
+    float low = 0, high = 0;      // m, altitudes of its echoes; the highest of its last window
+    float before = 0;             // m, the highest of the window before
+    std::int64_t window = 0;
   };
   static constexpr std::int64_t kNever = -1'000'000;
   static constexpr std::int64_t kCells = 64;  // along each side

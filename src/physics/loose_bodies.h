@@ -18,6 +18,7 @@ struct LooseBody {
   int body = 0;
   std::size_t q = 0, v = 0;  // where its joint begins in qpos and qvel
   double foot = 0;           // m: its origin above its lowest point as it stands upright
+  bool walks = false;        // along its path; nothing else moves it
 };
 
 // Returns them in the order of the model; those without a name are left out.

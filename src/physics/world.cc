@@ -1,6 +1,7 @@
 #include "physics/world.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <mujoco/mujoco.h>
@@ -77,8 +78,44 @@ std::array<double, 2> World::GroundFriction() const {
   return range;
 }
 
+void World::Walk(std::span<const objects::ObjectSpec> objects) {
+  const std::vector<std::string> names = objects::NamesOf(objects);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!objects::Walks(objects[i])) continue;
+    const auto found = std::ranges::find(objects_, names[i], &LooseBody::name);
+    found->walks = true;
+    walkers_.push_back({.body = *found,
+                        .walk = objects::Walk(objects[i]),
+                        .z = model_->qpos0[found->q + 2],
+                        .has_legs = objects::KindOf(objects[i]).gait.step > 0,
+                        .weight = -model_->body_subtreemass[found->body] * model_->opt.gravity[2]});
+  }
+  if (!walkers_.empty()) Reset();
+}
+
+// Gives them pose and velocity, so that what they touch meets a surface that moves, and holds them
+// up, so that none of it is drawn down with them.
+void World::MoveWalkers() {
+  const double t = static_cast<double>(walked_) * model_->opt.timestep;
+  for (const Walker& walker : walkers_) {
+    const objects::WalkPose at = walker.walk.At(t);
+    const std::array<mjtNum, 7> pose{
+        at.x, at.y, walker.z, std::cos(at.yaw / 2), 0, 0, std::sin(at.yaw / 2)};
+    const std::array<mjtNum, 6> velocity{at.vx, at.vy, 0, 0, 0, at.turn};
+    std::ranges::copy(pose, data_->qpos + walker.body.q);
+    std::ranges::copy(velocity, data_->qvel + walker.body.v);
+    data_->qfrc_applied[walker.body.v + 2] = walker.weight;
+    if (!walker.has_legs) continue;
+    const std::array<mjtNum, 2> legs{at.swing, -at.swing}, rates{at.swing_rate, -at.swing_rate};
+    std::ranges::copy(legs, data_->qpos + walker.body.q + pose.size());
+    std::ranges::copy(rates, data_->qvel + walker.body.v + velocity.size());
+  }
+}
+
 void World::Reset() {
   mjcf::ResetData(*model_, data_.get());
+  walked_ = 0;
+  MoveWalkers();
   mj_forward(model_.get(), data_.get());
   for (RobotBody& robot : robots_) {
     robot.ReadMotion();
@@ -93,6 +130,8 @@ void World::BeginStep() {
 
 StepHealth World::EndStep() {
   mj_step2(model_.get(), data_.get());
+  ++walked_;
+  MoveWalkers();
   for (RobotBody& robot : robots_) robot.ReadAcceleration();
   mju_zero(data_->xfrc_applied, 6 * static_cast<int>(model_->nbody));
   StepHealth health = StepHealth::kFine;
@@ -113,6 +152,11 @@ void World::AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3
 
 const LooseBody* World::FindObject(std::string_view name) const {
   const auto found = std::ranges::find(objects_, name, &LooseBody::name);
+  return found == objects_.end() ? nullptr : &*found;
+}
+
+const LooseBody* World::ObjectOf(int body) const {
+  const auto found = std::ranges::find(objects_, model_->body_rootid[body], &LooseBody::body);
   return found == objects_.end() ? nullptr : &*found;
 }
 

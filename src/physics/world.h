@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
+#include "objects/walk.h"
 #include "physics/loose_bodies.h"
 #include "physics/robot_body.h"
 
@@ -46,11 +48,15 @@ class World {
   // Ends this world. The next one may have its memory.
   mjcf::DataHandle TakeMemory() && { return std::move(data_); }
 
+  // Has those of the model's objects that have a path walk, and puts everything at rest as Reset
+  // does. `objects` are those of LoadWorldModel.
+  void Walk(std::span<const objects::ObjectSpec> objects);
+
   // In the constructor's order. Their addresses stay valid when the world is moved.
   RobotBody& robot(std::size_t i = 0) { return robots_[i]; }
   const RobotBody& robot(std::size_t i = 0) const { return robots_[i]; }
 
-  // Puts everything at rest in the pose of the model's file.
+  // Puts everything at rest in the pose of the model's file; what walks begins its way again.
   void Reset();
 
   void BeginStep();
@@ -69,6 +75,8 @@ class World {
   // The objects of the world, and one by its name; null if there is none.
   std::span<const LooseBody> objects() const { return objects_; }
   const LooseBody* FindObject(std::string_view name) const;
+  // Returns the one that a body belongs to; null if it belongs to none.
+  const LooseBody* ObjectOf(int body) const;
   // Of the next step: x, y, z [m] and the quaternion; linear velocity [m/s] in the world, angular
   // [rad/s] in the object's frame.
   std::span<const double> ObjectPosition(const LooseBody& object) const;
@@ -97,12 +105,23 @@ class World {
     int priority;
   };
 
+  struct Walker {
+    LooseBody body;
+    objects::Walk walk;
+    double z;       // m, of its origin
+    bool has_legs;  // two joints, which come after its own
+    double weight;  // N
+  };
+
   bool IsGround(int geom) const;
+  void MoveWalkers();
 
   mjcf::ModelHandle model_, nominal_;
   mjcf::DataHandle data_;
   std::vector<RobotBody> robots_;
   std::vector<LooseBody> objects_;
+  std::vector<Walker> walkers_;
+  std::int64_t walked_ = 0;  // steps since the last reset
   std::vector<Ground> ground_;
 };
 

@@ -300,7 +300,12 @@ mjcf::ModelHandle Compose(const std::vector<PlacedRobot>& placed, std::vector<Lo
     // Names of several robots' bodies have a slash.
     if (placed.size() == 1)
       objects::RequireOwnNames(around.objects, *robots[0].model, placed[0].file);
-    world.children.push_back(objects::MakeObjectBodies(around.objects));
+    world.children.push_back(objects::MakeObjectBodies(
+        around.objects,
+        looks == Looks::kKept ? objects::Prints::kKept : objects::Prints::kLeftOut));
+    if (std::ranges::any_of(around.objects, objects::Walks)) {
+      world.children.push_back(objects::MakeExclusions(around.objects));
+    }
   }
   MakeRoom(robots, around.objects.size(), &world);
   mjcf::ModelHandle model;

@@ -65,6 +65,62 @@ TEST_F(ObjectsConfigTest, HaveNoMassWhereTheyAreFixed) {
             "run.yaml:1: objects.0.mass: a table is fixed to the world; expected 0");
 }
 
+TEST_F(ObjectsConfigTest, MayWalkAlongAPath) {
+  const Config config = LoadText(
+      "objects:\n  - {kind: person, path: [{to: [1, 2]}, {to: [3, 2], wait: 4}], then: round,\n"
+      "     wait: 5, seed: 7}\n  - {kind: chair, path: [{to: [1, 2]}], speed: 0.5}\n");
+  const objects::ObjectSpec& person = config.objects[0];
+  ASSERT_EQ(person.path.size(), 2U);
+  EXPECT_EQ(person.path[1].to, (std::array<double, 2>{3, 2}));
+  EXPECT_EQ(person.path[1].wait, 4);
+  EXPECT_EQ(person.wait, 5);
+  EXPECT_EQ(person.then, objects::PathEnd::kRound);
+  EXPECT_EQ(person.seed, 7);
+  EXPECT_EQ(config.objects[1].speed, 0.5);
+  EXPECT_EQ(config.objects[1].then, objects::PathEnd::kBack);
+  const std::string text = PrintConfig(config, false);
+  EXPECT_EQ(PrintConfig(LoadText(text), false), text);
+}
+
+TEST_F(ObjectsConfigTest, SayWhyTheyCannotWalk) {
+  EXPECT_EQ(
+      FileError("objects:\n  - kind: chair\n    path: [{to: [1, 2]}]\n"),
+      "run.yaml:3: objects.0.path: a chair has no speed of its own; expected speed beside it");
+  EXPECT_EQ(FileError("objects:\n  - kind: person\n    path: [{to: [1, 2]}]\n    mass: 70\n"),
+            "run.yaml:4: objects.0.mass: nothing moves what walks; expected 0");
+  EXPECT_THAT(FileError("objects: [{kind: person, yaw: 1, path: [{to: [1, 2]}]}]\n"),
+              HasSubstr("objects.0.yaw: what walks looks where it goes; expected 0"));
+  EXPECT_EQ(FileError("objects:\n  - kind: person\n    path:\n      - {to: [1, 2]}\n"
+                      "      - {to: [1, 2]}\n"),
+            "run.yaml:5: objects.0.path.1.to: it is there already; expected another place");
+  EXPECT_THAT(FileError("objects: [{kind: person, path: [{to: [0, 0]}]}]\n"),
+              HasSubstr("objects.0.path.0.to: it is there already"));
+  EXPECT_THAT(
+      FileError("objects: [{kind: person, then: round, path: [{to: [1, 0]}, {to: [0, 0]}]}]\n"),
+      HasSubstr("objects.0.path: round goes back to pos by itself"));
+  EXPECT_THAT(FileError("objects: [{kind: person, then: rond, path: [{to: [1, 0]}]}]\n"),
+              HasSubstr("did you mean 'round'?"));
+  for (const char* const key : {"speed: 1", "wait: 1", "then: stay", "seed: 1"}) {
+    EXPECT_THAT(FileError(std::string("objects: [{kind: person, ") + key + "}]\n"),
+                HasSubstr("is of a path, and this object has none; expected path"))
+        << key;
+  }
+  std::string corners;
+  for (std::size_t i = 0; i <= objects::kMostCorners; ++i) {
+    corners += "{to: [" + std::to_string(i + 1) + ", 0]},";
+  }
+  EXPECT_THAT(FileError("objects: [{kind: person, path: [" + corners + "]}]\n"),
+              HasSubstr("objects.0.path: expected at most 64, got 65"));
+}
+
+TEST_F(ObjectsConfigTest, ShowAnAprilTagWhereTheyAreOne) {
+  EXPECT_EQ(LoadText("objects: [{kind: tag, id: 586}]\n").objects[0].id, 586);
+  EXPECT_EQ(FileError("objects: [{kind: tag, id: 587}]\n"),
+            "run.yaml:1: objects.0.id: expected a whole number from 0 to 586, got '587'");
+  EXPECT_EQ(FileError("objects: [{kind: checkerboard, id: 1}]\n"),
+            "run.yaml:1: objects.0.id: a checkerboard shows no AprilTag; expected 0");
+}
+
 TEST_F(ObjectsConfigTest, AreNotTooMany) {
   std::string list;
   for (std::size_t i = 0; i < objects::kMostObjects; ++i) list += "{kind: cube},";

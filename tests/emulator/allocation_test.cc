@@ -302,6 +302,24 @@ TEST_F(AllocationTest, DoesNotHappenAmongObjects) {
   EXPECT_EQ(CountIn(2000), 0);
 }
 
+// A cart pushes a crate, a person turns in its corners, and a reset puts them back.
+TEST_F(AllocationTest, DoesNotHappenAmongPeopleAndCarts) {
+  config_ = config::LoadConfig(
+      {.robot = "go2",
+       .sets = {"start.pose=standing",
+                "objects=[{kind: cart, pos: [0, 2, 0], path: [{to: [2, 2]}]}, {kind: crate, pos: "
+                "[0.8, 2, 0]}, {kind: person, pos: [2, 0, 0], path: [{to: [2, 0.3]}]}]"}},
+      UNDERSTUDY_SOURCE_DIR);
+  port_.TellEvery(1);
+  port_.KeepTheLastOnly();
+  world_ = MakeIn(assembly::MakePhysics(&config_).world, &port_, &inbox_);
+  CountIn(10);
+  EXPECT_EQ(CountIn(1500), 0);
+  Ask("reset");
+  CountIn(1);
+  EXPECT_EQ(CountIn(100), 0);
+}
+
 // From its stand into a trot, through a bend, and to a stand again; wheels roll and step.
 TEST_F(AllocationTest, DoesNotHappenInAQuadrupedThatWalks) {
   const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);

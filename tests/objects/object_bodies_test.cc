@@ -6,6 +6,7 @@
 #include <mujoco/mujoco.h>
 
 #include "mjcf/compile.h"
+#include "objects/prints.h"
 #include "tests/support/mujoco_test.h"
 
 namespace understudy::objects {
@@ -29,7 +30,7 @@ class ObjectBodiesTest : public test::MujocoTest {
     MjcfElement root = Element("mujoco", {}, std::move(others));
     root.children.push_back(
         Element("worldbody", {}, {Element("geom", {{"type", "plane"}, {"size", "0 0 1"}})}));
-    root.children.push_back(MakeObjectBodies(objects));
+    root.children.push_back(MakeObjectBodies(objects, Prints::kLeftOut));
     model_ = mjcf::CompileMjcf(root);
     data_.reset(mj_makeData(model_.get()));
     mj_forward(model_.get(), data_.get());
@@ -71,6 +72,16 @@ TEST_F(ObjectBodiesTest, RubAsTheirKindDoesOrTheySay) {
   Make({{.kind = "cube"}, {.kind = "cube", .friction = 0.25}});
   EXPECT_EQ(model_->geom_friction[3 * model_->body_geomadr[1]], 0.6);
   EXPECT_EQ(model_->geom_friction[3 * model_->body_geomadr[2]], 0.25);
+}
+
+TEST_F(ObjectBodiesTest, HavePrintsThatNothingMeetsWhereTheyAreAskedFor) {
+  const std::vector<ObjectSpec> tag{{.kind = "tag", .id = 3}};
+  EXPECT_EQ(MakeObjectBodies(tag, Prints::kLeftOut).children[0].children.size(), 1U);
+  const MjcfElement body = MakeObjectBodies(tag, Prints::kKept).children[0];
+  EXPECT_EQ(body.children.size(), 1 + PrintsOf(tag[0]).size());
+  for (std::size_t i = 1; i < body.children.size(); ++i) {
+    EXPECT_EQ(body.children[i].Get("contype") + body.children[i].Get("conaffinity"), "00");
+  }
 }
 
 TEST_F(ObjectBodiesTest, StandOnATable) {

@@ -20,7 +20,9 @@ TEST(ObjectsDocTest, HasTheRowOfEachKind) {
     const std::string row = "| `" + std::string(kind.name) + "` | " + std::string(kind.does) +
                             " | " + Printed("%g m", kind.height) + " | " +
                             (kind.fixed() ? "fixed" : Printed("%g kg", kind.mass)) + " | " +
-                            Printed("%g", kind.friction) + " | " + source + "* |\n";
+                            Printed("%g", kind.friction) + " | " +
+                            (kind.speed > 0 ? Printed("%g m/s", kind.speed) : "") + " | " + source +
+                            "* |\n";
     EXPECT_THAT(page, testing::HasSubstr(row));
   }
 }

@@ -63,6 +63,22 @@ TEST_F(ObstacleMapTest, KnowsNothingBeforeTheFirstCloud) {
   EXPECT_FALSE(Read().known);
 }
 
+TEST_F(ObstacleMapTest, ForgetsWhatHasGoneWhereItSeesTheGroundAgain) {
+  Begin();
+  AddGround();
+  AddFace(1.2, 0, 0.5);
+  for (int cloud = 0; cloud < 14; ++cloud) {
+    Begin();
+    AddGround();
+  }
+  EXPECT_NEAR(Ahead(), 1.2, 0.06) << "a second later it may be there still";
+  for (int cloud = 0; cloud < 20; ++cloud) {
+    Begin();
+    AddGround();
+  }
+  EXPECT_EQ(Ahead(), 9) << "nothing has been seen there for two seconds but ground";
+}
+
 TEST_F(ObstacleMapTest, HasAWallWhereItStands) {
   Begin();
   AddGround();
