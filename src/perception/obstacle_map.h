@@ -14,10 +14,10 @@
 namespace understudy::perception {
 
 // Keeps the echoes of the last two seconds in cells of the frame `odom`. Where the ground is seen
-// again after something that moved, a cell forgets that within two windows of a second. A cell is an obstacle
-// where its highest echo is further above the ground around it than the robot steps up, and lower
-// than what it passes under. All figures are *assumed*: none is published. Allocates in the
-// constructor only.
+// again after something that moved, a cell forgets that within two windows of a second. A cell is
+// an obstacle where its highest echo is further above the ground around it than the robot steps up,
+// and lower than what it passes under. All figures are *assumed*: none is published. Allocates in
+// the constructor only.
 class ObstacleMap {
  public:
   static constexpr double kFarthest = 2.5;  // m from the base that it keeps
