@@ -1,4 +1,5 @@
 #include <map>
+#include <set>
 
 #include "config/keys.h"
 #include "config/reference.h"
@@ -21,20 +22,20 @@ class PrintConfigTest : public ConfigFixture {
   }
 };
 
-// Every value by its key, as text; elements of lists by index.
+// Every value by its key, as text; of lists those of all elements.
 class Collector : public schema::Archive {
  public:
-  std::map<std::string, std::string> values;
+  std::map<std::string, std::set<std::string>> values;
 
  protected:
   void Visit(const schema::Field& field, const schema::Slot& slot) override {
-    values[path_ + std::string(field.key)] = ValueText(field, slot);
+    values[path_ + std::string(field.key)].insert(ValueText(field, slot));
   }
   void VisitList(const schema::Field& field, const schema::ListSlot& slot) override {
     const std::string outer = path_;
     path_ += std::string(field.key) + "[].";
     if (slot.size() == 0) slot.describe_blank();
-    if (slot.size() != 0) slot.describe(0);
+    for (std::size_t i = 0; i < slot.size(); ++i) slot.describe(i);
     path_ = outer;
   }
   bool Enter(const schema::Field& field, std::string_view) override {
@@ -52,7 +53,7 @@ class Collector : public schema::Archive {
   std::vector<std::string> outer_;
 };
 
-std::map<std::string, std::string> Values(Config config) {
+std::map<std::string, std::set<std::string>> Values(Config config) {
   Collector collector;
   Describe(collector, config);
   return collector.values;
