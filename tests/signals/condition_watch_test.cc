@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "base/errors.h"
+#include "config/load.h"
 #include "physics/world_model.h"
 #include "schema/yaml_document.h"
 #include "script/script.h"

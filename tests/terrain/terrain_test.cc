@@ -232,11 +232,11 @@ TEST_F(TerrainTest, APatchLooksTheSameWhateverStandsBeforeIt) {
 }
 
 TEST_F(TerrainTest, PatchesOfHeightsMayBeManyAndWide) {
-  for (const std::size_t count : {1, 6}) {
+  for (const std::size_t count : {1U, 6U}) {
     spec_.size = {8, 16};
     spec_.patches.assign(count, {.kind = "rough", .difficulty = 1});
     Load("row");  // MuJoCo has no room for the pairs of bodies with height fields
-    EXPECT_EQ(model_->nhfield, count);
+    EXPECT_EQ(static_cast<std::size_t>(model_->nhfield), count);
   }
 }
 
