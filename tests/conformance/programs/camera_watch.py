@@ -5,13 +5,14 @@ file and prints what it found as one JSON object.
 """
 
 import importlib
-import json
 import pathlib
 import sys
 import time
 
 from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelSubscriber
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import LowState_
+
+from ending import end
 
 CLIENTS = {
     "front": "unitree_sdk2py.go2.video.video_client.VideoClient",
@@ -48,14 +49,14 @@ def main(camera, file, seconds):
     if jpegs:
         pathlib.Path(file).write_bytes(jpegs[-1])
     (first, first_tick), (last, last_tick) = states[0], states[-1]
-    print(json.dumps({
+    end({
         "codes": sorted(set(codes)),
         "pictures": len(jpegs),
         "sizes": sorted(map(len, jpegs)),
         "took": took,
         "states_per_tick": len(states) / ((last_tick - first_tick) / 2 + 1),
         "pace": (last_tick - first_tick) / 1000 / (last - first),
-    }))
+    })
 
 
 main(sys.argv[1], sys.argv[2], float(sys.argv[3]))

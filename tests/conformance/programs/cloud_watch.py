@@ -4,7 +4,6 @@ looks for a wall in them. Prints what it found as one JSON object.
     cloud_watch.py SECONDS
 """
 
-import json
 import sys
 import time
 
@@ -14,6 +13,8 @@ from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwi
 from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelPublisher, ChannelSubscriber
 from unitree_sdk2py.idl.sensor_msgs.msg.dds_ import PointCloud2_
 from unitree_sdk2py.idl.std_msgs.msg.dds_ import String_
+
+from ending import end
 
 POINT = np.dtype({
     "names": ["x", "y", "z", "gap", "intensity", "ring", "time", "tail"],
@@ -100,7 +101,7 @@ def main():
     switcher.Init()
     switcher.ReleaseMode()
     report["base_released"], report["cloud_released"] = base.during(0.5), lidar.during(0.5)
-    print(json.dumps(report))
+    end(report)
 
 
 if __name__ == "__main__":

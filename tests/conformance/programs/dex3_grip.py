@@ -10,7 +10,6 @@ Prints what it saw as one JSON object:
   cleared      modes after a command that has none watched
 """
 
-import json
 import sys
 import time
 
@@ -18,6 +17,8 @@ from sdk_session import arguments
 from unitree_sdk2py.core.channel import ChannelPublisher, ChannelSubscriber
 from unitree_sdk2py.idl.default import unitree_hg_msg_dds__HandCmd_
 from unitree_sdk2py.idl.unitree_hg.msg.dds_ import HandCmd_, HandState_
+
+from ending import end
 
 MOTORS = 7
 SIDES = ("left", "right")
@@ -116,7 +117,7 @@ def main():
     wait_for("end of the time-out",
              lambda: not any(mode >> 7 for hand in hands.values() for mode in hand.modes()))
     report["cleared"] = {side: hands[side].modes() for side in SIDES}
-    print(json.dumps(report))
+    end(report)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ Prints one JSON object: for each call its name, its code and the states that the
 as rt/sportmodestate gives them in error_code.
 """
 
-import json
 import time
 
 from unitree_sdk2py.core.channel import ChannelSubscriber
@@ -12,6 +11,7 @@ from unitree_sdk2py.go2.sport.sport_client import SportClient
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 
 from sdk_session import arguments
+from ending import end
 
 # Call, arguments, the state in which it ends (of the vendor's Go2 page).
 BALANCE, LOCKED, POSE, SIT, LYING, AGILE, WALK = 1013, 1002, 1091, 1007, 1004, 100, 1015
@@ -73,7 +73,7 @@ def main():
                 break
             time.sleep(0.01)
         report.append([name, code, states.seen])
-    print(json.dumps({"calls": report}))
+    end({"calls": report})
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ service. Prints what it found as one JSON object.
     sight_watch.py go2|g1 SECONDS
 """
 
-import json
 import math
 import sys
 import time
@@ -23,6 +22,8 @@ from unitree_sdk2py.idl.nav_msgs.msg.dds_ import Odometry_
 from unitree_sdk2py.idl.sensor_msgs.msg.dds_ import PointCloud2_
 from unitree_sdk2py.idl.std_msgs.msg.dds_ import Header_
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import HeightMap_
+
+from ending import end
 
 
 @dataclass
@@ -158,4 +159,4 @@ def g1(seconds):
 
 if __name__ == "__main__":
     ChannelFactoryInitialize(0, "lo")
-    print(json.dumps({"go2": go2, "g1": g1}[sys.argv[1]](float(sys.argv[2]))))
+    end({"go2": go2, "g1": g1}[sys.argv[1]](float(sys.argv[2])))

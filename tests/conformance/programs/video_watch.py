@@ -4,7 +4,6 @@ a file, and LowState is read with the vendor's Python SDK. Prints what it found 
     video_watch.py PORT FILE SECONDS
 """
 
-import json
 import pathlib
 import socket
 import struct
@@ -16,6 +15,8 @@ import time
 
 from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelSubscriber
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import LowState_
+
+from ending import end
 
 GROUP, FRAMES = "230.1.1.1", 5
 SDP = """v=0
@@ -74,7 +75,7 @@ def main(port, file, seconds):
     kinds = [type_of(packet[12:]) for packet in packets]
     times = [time for _, mark, _, time, _ in heads if mark & 128]
     (first, first_tick), (last, last_tick) = states[0], states[-1]
-    print(json.dumps({
+    end({
         "kinds": sorted({(flags, mark & 127) for flags, mark, *_ in heads}),
         "sources": len({source for *_, source in heads}),
         "longest": max(map(len, packets)),
@@ -86,7 +87,7 @@ def main(port, file, seconds):
         "steps": [(b - a) / 90000 for a, b in zip(times, times[1:])],
         "states_per_tick": len(states) / ((last_tick - first_tick) / 2 + 1),
         "pace": (last_tick - first_tick) / 1000 / (last - first),
-    }))  # fmt: skip
+    })  # fmt: skip
 
 
 main(int(sys.argv[1]), sys.argv[2], float(sys.argv[3]))

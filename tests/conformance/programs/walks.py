@@ -19,6 +19,7 @@ from unitree_sdk2py.rpc.client import Client
 
 from base_truth import Truth, way_from
 from sdk_session import arguments
+from ending import end
 
 WAYS = [("ahead", (0.5, 0.0, 0.0)), ("left", (0.0, 0.3, 0.0)), ("turn", (0.0, 0.0, 0.5))]  # m/s, rad/s
 PLACE = (0.8, 0.3, 0.5)  # m, rad: from where it stands
@@ -131,7 +132,7 @@ def main():
         asked = []
         report["to_a_place"] = go(
             feed, lambda _: asked or asked.append(avoid.MoveToIncrementPosition(*PLACE)))
-    print(json.dumps(report))
+    end(report)
 
 
 if __name__ == "__main__":
