@@ -10,8 +10,8 @@ from unitree_sdk2py.core.channel import ChannelSubscriber
 from unitree_sdk2py.go2.sport.sport_client import SportClient
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 
-from sdk_session import arguments
 from ending import end
+from sdk_session import arguments
 
 # Call, arguments, the state in which it ends (of the vendor's Go2 page).
 BALANCE, LOCKED, POSE, SIT, LYING, AGILE, WALK = 1013, 1002, 1091, 1007, 1004, 100, 1015

@@ -18,8 +18,8 @@ from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 from unitree_sdk2py.rpc.client import Client
 
 from base_truth import Truth, way_from
-from sdk_session import arguments
 from ending import end
+from sdk_session import arguments
 
 WAYS = [("ahead", (0.5, 0.0, 0.0)), ("left", (0.0, 0.3, 0.0)), ("turn", (0.0, 0.0, 0.5))]  # m/s, rad/s
 PLACE = (0.8, 0.3, 0.5)  # m, rad: from where it stands
