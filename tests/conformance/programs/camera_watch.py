@@ -12,7 +12,7 @@ import time
 from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelSubscriber
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import LowState_
 
-from ending import end
+from ending import end_with
 
 CLIENTS = {
     "front": "unitree_sdk2py.go2.video.video_client.VideoClient",
@@ -49,7 +49,7 @@ def main(camera, file, seconds):
     if jpegs:
         pathlib.Path(file).write_bytes(jpegs[-1])
     (first, first_tick), (last, last_tick) = states[0], states[-1]
-    end({
+    end_with({
         "codes": sorted(set(codes)),
         "pictures": len(jpegs),
         "sizes": sorted(map(len, jpegs)),

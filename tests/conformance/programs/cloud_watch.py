@@ -14,7 +14,7 @@ from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelPublish
 from unitree_sdk2py.idl.sensor_msgs.msg.dds_ import PointCloud2_
 from unitree_sdk2py.idl.std_msgs.msg.dds_ import String_
 
-from ending import end
+from ending import end_with
 
 POINT = np.dtype({
     "names": ["x", "y", "z", "gap", "intensity", "ring", "time", "tail"],
@@ -101,7 +101,7 @@ def main():
     switcher.Init()
     switcher.ReleaseMode()
     report["base_released"], report["cloud_released"] = base.during(0.5), lidar.during(0.5)
-    end(report)
+    end_with(report)
 
 
 if __name__ == "__main__":

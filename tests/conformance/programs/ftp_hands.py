@@ -24,7 +24,7 @@ from cyclonedds.idl.types import int8, int16, sequence, uint8
 from sdk_session import arguments
 from unitree_sdk2py.core.channel import ChannelPublisher, ChannelSubscriber
 
-from ending import end
+from ending import end_with
 
 FINGERS = ("one", "two", "three", "four")
 TOUCH = [(f"finger{n}_{part}_touch", cells) for n in FINGERS for part, cells in (("tip", 9), ("top", 96), ("palm", 80))]  # fmt: skip
@@ -125,7 +125,7 @@ def main():
     report["stopped"] = left.angles()
     report["touched"] = left.touched
     report["right"] = right.angles()
-    end(report)
+    end_with(report)
 
 
 if __name__ == "__main__":

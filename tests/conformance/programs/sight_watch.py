@@ -23,7 +23,7 @@ from unitree_sdk2py.idl.sensor_msgs.msg.dds_ import PointCloud2_
 from unitree_sdk2py.idl.std_msgs.msg.dds_ import Header_
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import HeightMap_
 
-from ending import end
+from ending import end_with
 
 
 @dataclass
@@ -159,4 +159,4 @@ def g1(seconds):
 
 if __name__ == "__main__":
     ChannelFactoryInitialize(0, "lo")
-    end({"go2": go2, "g1": g1}[sys.argv[1]](float(sys.argv[2])))
+    end_with({"go2": go2, "g1": g1}[sys.argv[1]](float(sys.argv[2])))

@@ -11,7 +11,7 @@ import sys
 from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelSubscriber
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import Go2FrontVideoData_
 
-from ending import end
+from ending import end_with
 
 
 def main(topic, file, count):
@@ -21,7 +21,7 @@ def main(topic, file, count):
     channel.Init(came.put, 50)
     frames = [came.get(timeout=40) for _ in range(count)]
     pathlib.Path(file).write_bytes(b"".join(bytes(frame.video720p) for frame in frames))
-    end({
+    end_with({
         "times": [frame.time_frame for frame in frames],
         "others": sum(len(frame.video360p) + len(frame.video180p) for frame in frames),
     })  # fmt: skip

@@ -16,7 +16,7 @@ import time
 from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelSubscriber
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import LowState_
 
-from ending import end
+from ending import end_with
 
 GROUP, FRAMES = "230.1.1.1", 5
 SDP = """v=0
@@ -75,7 +75,7 @@ def main(port, file, seconds):
     kinds = [type_of(packet[12:]) for packet in packets]
     times = [time for _, mark, _, time, _ in heads if mark & 128]
     (first, first_tick), (last, last_tick) = states[0], states[-1]
-    end({
+    end_with({
         "kinds": sorted({(flags, mark & 127) for flags, mark, *_ in heads}),
         "sources": len({source for *_, source in heads}),
         "longest": max(map(len, packets)),
