@@ -10,6 +10,7 @@ Prints what it saw as one JSON object:
   cleared      modes after a command that has none watched
 """
 
+import json
 import sys
 import time
 
@@ -17,8 +18,6 @@ from sdk_session import arguments
 from unitree_sdk2py.core.channel import ChannelPublisher, ChannelSubscriber
 from unitree_sdk2py.idl.default import unitree_hg_msg_dds__HandCmd_
 from unitree_sdk2py.idl.unitree_hg.msg.dds_ import HandCmd_, HandState_
-
-from ending import end_with
 
 MOTORS = 7
 SIDES = ("left", "right")
@@ -117,7 +116,7 @@ def main():
     wait_for("end of the time-out",
              lambda: not any(mode >> 7 for hand in hands.values() for mode in hand.modes()))
     report["cleared"] = {side: hands[side].modes() for side in SIDES}
-    end_with(report)
+    print(json.dumps(report))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""How a program ends whose readers are called back."""
+"""How a program on the real clock ends whose readers are called back."""
 
 import json
 import os

@@ -15,6 +15,7 @@ usage: ftp_hands.py [INTERFACE]. Prints what it saw of the left hand as one JSON
 """
 
 import dataclasses
+import json
 import sys
 import time
 
@@ -23,8 +24,6 @@ import cyclonedds.idl.annotations as annotate
 from cyclonedds.idl.types import int8, int16, sequence, uint8
 from sdk_session import arguments
 from unitree_sdk2py.core.channel import ChannelPublisher, ChannelSubscriber
-
-from ending import end_with
 
 FINGERS = ("one", "two", "three", "four")
 TOUCH = [(f"finger{n}_{part}_touch", cells) for n in FINGERS for part, cells in (("tip", 9), ("top", 96), ("palm", 80))]  # fmt: skip
@@ -125,7 +124,7 @@ def main():
     report["stopped"] = left.angles()
     report["touched"] = left.touched
     report["right"] = right.angles()
-    end_with(report)
+    print(json.dumps(report))
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ usage: hands_close.py MAKE [INTERFACE]. Prints what it saw as one JSON object:
   stopped  q of each topic a while after commands have stopped
 """
 
+import json
 import sys
 import time
 
@@ -16,8 +17,6 @@ from sdk_session import arguments
 from unitree_sdk2py.core.channel import ChannelPublisher, ChannelSubscriber
 from unitree_sdk2py.idl.default import unitree_go_msg_dds__MotorCmd_
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import MotorCmds_, MotorStates_
-
-from ending import end_with
 
 # By make: topics, motors in a message, q open and q closed.
 MAKES = {
@@ -86,7 +85,7 @@ def main():
     time.sleep(2.0)  # longer than the time-out of a gripper
     report["rate"] = (hands[topics[0]].count - counted) / 2.0
     report["stopped"] = {topic: hand.q() for topic, hand in hands.items()}
-    end_with(report)
+    print(json.dumps(report))
 
 
 if __name__ == "__main__":
