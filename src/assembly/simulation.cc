@@ -38,12 +38,11 @@ Simulation::Simulation(const Simulation& like, const PortsOf& ports)
 }
 
 void Simulation::Begin(int seed, const std::vector<Place>& at) {
-  constexpr double kFurthest = 1000;  // m, rad; as of the key start.at
-  const auto is_far = [](double x) { return !(std::abs(x) <= kFurthest); };
+  const auto is_far = [](double x) { return !(std::abs(x) <= config::kFurthestStart); };
   if (at.size() > given_.robots.size() ||
       std::ranges::any_of(at, [&](const Place& one) { return std::ranges::any_of(one, is_far); })) {
     throw std::invalid_argument(Printed("begin: expected places of %zu robots at most, within %g",
-                                        given_.robots.size(), kFurthest));
+                                        given_.robots.size(), config::kFurthestStart));
   }
   config_ = given_;
   for (std::size_t i = 0; i < at.size(); ++i) config_.robots[i].start.at = at[i];

@@ -66,6 +66,8 @@ struct PhysicsConfig {
   DivergenceAction on_divergence = DivergenceAction::kStop;
 };
 
+inline constexpr double kFurthestStart = 1000;  // m, and rad of yaw
+
 struct StartConfig {
   std::string pose;            // lying | standing | hanging | clamped; "" = robot.default_start
   std::array<double, 3> at{};  // x, y [m] and yaw [rad] in the world

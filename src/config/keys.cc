@@ -114,7 +114,7 @@ void DescribeStart(Archive& a, StartConfig& c) {
   a.Word(UNDERSTUDY_NVP(c.pose), {"Pose the run starts in; \"\" is robot.default_start"}, words);
   a.Key(UNDERSTUDY_NVP(c.at),
         {"m, m, rad",
-         {-1000, 1000},
+         {-kFurthestStart, kFurthestStart},
          "x, y and yaw in the world at the start and after a reset; a fixed base stays"});
   a.Key(UNDERSTUDY_NVP(c.boot),
         {"Whether the run begins at the power switch: motors limp, nothing sent or answered until "

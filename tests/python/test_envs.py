@@ -98,13 +98,13 @@ def test_a_landing_counts_by_its_time_in_the_air_while_the_robot_is_to_walk():
     for step in range(20):
         in_air = [step < 16, step < 6 or 8 <= step < 12, False, True]  # 0.32 s; 0.12 and 0.08 s; never; still
         truth["contact_force"] = np.where(in_air, 0, 30)[None]
-        envs._walk()
+        envs._note_landings()
         strides.append(envs.reward_terms()["stride"][0])
     landings = {step: stride for step, stride in enumerate(strides) if stride != 0}
     assert landings == {6: pytest.approx(0.14 - 0.2), 12: pytest.approx(0.1 - 0.2), 16: pytest.approx(min(0.34 - 0.2, 0.2))}
     envs.velocity[:] = 0
     envs._touched[:], truth["contact_force"] = False, np.full((1, 4), 30.0)
-    envs._walk()
+    envs._note_landings()
     assert envs.landed.all() and envs.reward_terms()["stride"][0] == 0
 
 

@@ -50,7 +50,11 @@ class Course:
 
 @dataclasses.dataclass(frozen=True)
 class Task:
-    """What an environment asks of a robot. Weights are per second of reward; the numbers are assumed."""
+    """What an environment asks of a robot. The numbers are assumed.
+
+    Weights are of reward per second. The sum of a step's terms counts as 0 where it is below, so that to go on is never
+    worse than to fall; a fall comes on top.
+    """
 
     robot: str
     definition: pathlib.Path
@@ -173,7 +177,7 @@ class WalkVectorEnv(VectorEnv):
         fell = (truth["tilt"][:, 0] > self.task.steepest) | (truth["position"][:, 2] < self.task.lowest)
         over = (self._age >= round(self.task.episode / self.dt)) & ~fell
         self._asked += self.dt * np.hypot(self.velocity[:, 0], self.velocity[:, 1])
-        self._walk()
+        self._note_landings()
         terms = {name: self.task.weights[name] * values for name, values in self.reward_terms().items()}
         reward = self.dt * (np.maximum(sum(terms.values()), 0) + self.task.weights["fall"] * fell)
         # A command counts from the next observation on.
@@ -196,6 +200,7 @@ class WalkVectorEnv(VectorEnv):
         truth = self.batch.truth
         v, w = in_base(truth["attitude"], truth["velocity"]), truth["turning_rate"]
         up = in_base(truth["attitude"], np.tile(np.float32([0, 0, 1]), (self.num_envs, 1)))
+        # A stride: s that a foot that lands was in the air, over the 0.2 s that a step should take at least.
         return {
             "velocity": np.exp(-np.square(v[:, :2] - self.velocity[:, :2]).sum(1) / 0.25),
             "turn": np.exp(-np.square(w[:, 2] - self.velocity[:, 2]) / 0.25),
@@ -208,7 +213,7 @@ class WalkVectorEnv(VectorEnv):
             "pose": np.square(self.batch.state["q"] - self._rest).sum(1),
         }
 
-    def _walk(self):
+    def _note_landings(self):
         """Notes which feet have landed, after how long in the air."""
         touches = self.batch.truth["contact_force"] > 1  # N
         self.air = np.where(self._touched, 0, self.air) + self.dt * ~(touches & self._touched)
