@@ -4,6 +4,7 @@ include(cmake/EmbeddedPackages.cmake)
 understudy_package(cyclonedds HEADER dds/dds.h LIBRARIES ddsc DEBIAN cyclonedds-dev)
 understudy_package(zlib HEADER zlib.h LIBRARIES z DEBIAN zlib1g-dev)
 understudy_package(sqlite HEADER sqlite3.h LIBRARIES sqlite3 DEBIAN libsqlite3-dev)
+understudy_package(lz4 HEADER lz4.h LIBRARIES lz4 DEBIAN liblz4-dev)
 understudy_package(zstd HEADER zstd.h LIBRARIES zstd DEBIAN libzstd-dev)
 understudy_package(log HEADER spdlog/spdlog.h LIBRARIES spdlog fmt DEBIAN "libspdlog-dev libfmt-dev"
                    DEFINE SPDLOG_COMPILED_LIB SPDLOG_SHARED_LIB SPDLOG_FMT_EXTERNAL)

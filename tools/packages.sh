@@ -12,6 +12,7 @@ build_packages=(
   "cyclonedds-tools:idlc, which compiles the robot's message types"
   "libeigen3-dev:vectors and rotations"
   "libpng-dev:pictures as ground, ground as pictures"
+  "liblz4-dev:compresses maps of what a lidar sees"
   "libzstd-dev:compresses recordings"
   "zlib1g-dev:checksums of recordings"
   "libsqlite3-dev:reads ROS 2 bags"

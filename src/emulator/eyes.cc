@@ -13,9 +13,10 @@ using wire::Content;
 bool IsOfClouds(Content content) {
   return content != Content::kImuOfLidar && content != Content::kStateOfLidar;
 }
-bool ComesWithClouds(Content content) {
-  return IsOfClouds(content) && content != Content::kHeightMap;
+bool IsMap(Content content) {
+  return content == Content::kHeightMap || content == Content::kVoxelMap;
 }
+bool ComesWithClouds(Content content) { return IsOfClouds(content) && !IsMap(content); }
 
 int BodyOf(const robot::RobotSpec& spec, const physics::RobotBody& body) {
   return body.Body(spec.lidar.body.empty() ? spec.base_body : spec.lidar.body);
@@ -45,7 +46,8 @@ bool Eyes::Wants(Content content) const {
 
 void Eyes::Rest() {
   lidar_.Rest();
-  if (mapped_) mapper_.Clear();
+  if (mapped_) heights_.Clear();
+  voxels_.Clear();
   mapped_ = false;
   clearance_.Clear();
 }
@@ -70,7 +72,9 @@ void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects
   for (const Part& part : parts_) {
     if (!part.wanted || ComesWithClouds(part.content) || !part.rate.Due(step)) continue;
     if (part.content == Content::kHeightMap) {
-      mapper_.Read(&reading.map);
+      heights_.Read(&reading.map);
+    } else if (part.content == Content::kVoxelMap) {
+      voxels_.Read(&reading.voxels);
     } else {
       lidar_.Feel(step, data, spec_.imu);
     }
@@ -86,7 +90,7 @@ void Eyes::Cast(std::int64_t step, const mjData& data, const robot::LidarEffects
   scene->Follow(step, data);
   const auto& odometry = computer->sampled().leg_odometry;
   const robot::LegOdometry* const base = odometry ? &*odometry : nullptr;
-  const bool maps = Wants(Content::kHeightMap);
+  const bool maps = Wants(Content::kHeightMap) || Wants(Content::kVoxelMap);
   const bool deskews = maps || looks_ || Wants(Content::kCloudDeskewed);
   if (!lidar_.Sense(step, data, *scene, faults, deskews ? base : nullptr)) return;
   const robot::LidarReading& reading = lidar_.reading();
@@ -108,12 +112,19 @@ Eigen::Vector3d Eyes::InBase(const robot::LidarPoint& point) const {
 
 void Eyes::Map(const robot::LegOdometry& base) {
   mapped_ = true;
-  mapper_.Follow(base.p_OB.head<2>());
+  const bool voxels = Wants(Content::kVoxelMap);
+  heights_.Follow(base.p_OB.head<2>());
+  if (voxels) {
+    voxels_.Begin(base.p_OB.head<2>());
+  } else {
+    voxels_.Clear();
+  }
   const robot::LidarReading& reading = lidar_.reading();
   for (std::size_t i = 0; i < reading.deskewed.size(); ++i) {
     const robot::LidarPoint& at = reading.deskewed[i];
     if (perception::IsOfRobot(InBase(reading.cloud.points[i]), base.p_OB.z())) continue;
-    mapper_.Add({at.x, at.y, at.z});
+    heights_.Add({at.x, at.y, at.z});
+    if (voxels) voxels_.Add({at.x, at.y, at.z});
   }
 }
 

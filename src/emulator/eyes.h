@@ -10,13 +10,15 @@
 #include "perception/lidar.h"
 #include "perception/obstacle_map.h"
 #include "perception/scene.h"
+#include "perception/voxel_mapper.h"
 #include "physics/world.h"
 #include "robot/rate.h"
 #include "wire/robot_topics.h"
 
 namespace understudy::emulator {
 
-// Nothing is computed that nobody reads. Allocates in the constructor only.
+// Nothing is computed that nobody reads. Allocates in the constructor, and for a map of voxels when
+// the first reader comes.
 class Eyes {
  public:
   // `spec` has a lidar and must outlive it.
@@ -53,12 +55,13 @@ class Eyes {
   std::int64_t step_ns_;
   Eigen::Matrix3d R_BL_;
   perception::Lidar lidar_;
-  perception::HeightMapper mapper_;
+  perception::HeightMapper heights_;
+  perception::VoxelMapper voxels_;
   perception::Clearance clearance_;
   perception::ObstacleMap obstacles_;
   robot::SeenObstacles seen_;
   std::vector<Part> parts_;
-  bool mapped_ = false;  // the map has something
+  bool mapped_ = false;  // the map of heights has something
   bool looks_ = false;   // for obstacles
 };
 

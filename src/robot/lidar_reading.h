@@ -34,6 +34,19 @@ struct HeightMap {
   std::vector<float> heights{};  // m, x first
 };
 
+// Small cubes around the robot, full or empty, in the frame `odom`.
+struct VoxelMap {
+  static constexpr int kAcross = 128, kUp = 38;  // cubes along x and y, along z
+  static constexpr double kCell = 0.05;          // m
+  // m, where the lowest cubes begin: so on level ground in all recordings that were seen.
+  // *Assumed*: on any ground.
+  static constexpr double kLowest = -0.6;
+
+  Eigen::Vector3d origin{0, 0, 0};  // m, the middle of the first cube
+  std::vector<std::uint8_t>
+      bits{};  // eight cubes along x, the first in the highest; then y, then z
+};
+
 struct LidarStatus {
   bool blind = false;    // no echo comes back
   double dirt = 0;       // share of its window
@@ -50,6 +63,7 @@ struct LidarReading {
   LidarStatus status{};
   Eigen::Vector3d clear{0, 0, 0};  // m to what is ahead, to the left and to the right
   HeightMap map{};
+  VoxelMap voxels{};
 };
 
 }  // namespace understudy::robot

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <lz4.h>
+
 #include "wire/roll_pitch_yaw.h"
 #include "wire/stamp.h"
 
@@ -87,6 +89,28 @@ void EncodeHeightMap(const robot::LidarReading& reading, unitree_go_msg_dds__Hei
   const auto count = static_cast<std::uint32_t>(map.heights.size());
   // The message only reads them.
   message->data = {count, count, const_cast<float*>(map.heights.data()), false};
+}
+
+VoxelMapEncoder::VoxelMapEncoder()
+    : block_(LZ4_COMPRESSBOUND(robot::VoxelMap::kAcross * robot::VoxelMap::kAcross *
+                               robot::VoxelMap::kUp / 8)) {}
+
+void VoxelMapEncoder::operator()(const robot::LidarReading& reading,
+                                 unitree_go_msg_dds__VoxelMapCompressed_* message) {
+  const robot::VoxelMap& map = reading.voxels;
+  message->stamp = Seconds(reading);
+  message->frame_id = odom_of_map;
+  message->resolution = robot::VoxelMap::kCell;
+  std::copy_n(map.origin.data(), 3, message->origin);
+  message->width[0] = message->width[1] = robot::VoxelMap::kAcross;
+  message->width[2] = robot::VoxelMap::kUp;
+  message->src_size = map.bits.size();
+  const auto text = [](const std::uint8_t* bytes) { return reinterpret_cast<const char*>(bytes); };
+  const int size =
+      LZ4_compress_default(text(map.bits.data()), const_cast<char*>(text(block_.data())),
+                           static_cast<int>(map.bits.size()), static_cast<int>(block_.size()));
+  const auto count = static_cast<std::uint32_t>(size);
+  message->data = {count, count, block_.data(), false};
 }
 
 }  // namespace understudy::wire

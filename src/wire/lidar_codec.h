@@ -1,6 +1,9 @@
 // Encodes what a lidar says beside its clouds.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "idl/geometry_msgs.h"
 #include "idl/sensor_msgs.h"
 #include "idl/unitree_go.h"
@@ -34,5 +37,17 @@ void EncodeClearance(const robot::LidarReading& reading,
                      geometry_msgs_msg_dds__PointStamped_* message);
 // Heights in odom, 1e9 where nothing was seen (vendor's page).
 void EncodeHeightMap(const robot::LidarReading& reading, unitree_go_msg_dds__HeightMap_* message);
+
+// Cubes in odom, as a block of LZ4 without a frame (as unitree_webrtc_connect and go2_ros2_sdk read
+// it).
+class VoxelMapEncoder {
+ public:
+  VoxelMapEncoder();
+  void operator()(const robot::LidarReading& reading,
+                  unitree_go_msg_dds__VoxelMapCompressed_* message);
+
+ private:
+  std::vector<std::uint8_t> block_;  // what the message points to
+};
 
 }  // namespace understudy::wire

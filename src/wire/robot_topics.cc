@@ -159,7 +159,8 @@ std::vector<LidarMessage> LidarMessages(const robot::RobotSpec& spec) {
           {Content::kImuOfLidar, Topic(topic::kLidarImu, 250)},
           {Content::kStateOfLidar, Topic(topic::kLidarState, 4.87)},
           {Content::kClearance, Topic(topic::kLidarRange, hz)},  // *assumed*: no rate was seen
-          {Content::kHeightMap, Topic(topic::kLidarHeights, 11.44)}};
+          {Content::kHeightMap, Topic(topic::kLidarHeights, 11.44)},
+          {Content::kVoxelMap, Topic(topic::kLidarVoxels, 7.3)}};  // as a receiver counted them
 }
 
 std::vector<RobotTopic> ServiceTopics(const std::vector<std::string>& services,

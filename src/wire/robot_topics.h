@@ -81,6 +81,7 @@ enum class Content : std::uint8_t {
   kCloudDeskewed,
   kClearance,
   kHeightMap,
+  kVoxelMap,
 };
 
 // A message with its topics; the rt/lf twin is one of them.

@@ -96,6 +96,16 @@ def test_the_map_of_heights_has_the_ground(sight):
     assert heights["seen"] > 1000 and abs(heights["median"]) < 0.03
 
 
+def test_voxels_are_full_where_the_wall_and_the_ground_are(sight):
+    voxels = sight["voxels"]
+    assert voxels["frame"] == "odom" and voxels["size"] == [128, 128, 38, 77824]
+    assert voxels["hz"] == pytest.approx(7.3, abs=0.3) and voxels["lowest"] == pytest.approx(-0.575)
+    away = (WALL - sight["truth"][0]) * math.cos(sight["truth"][2])
+    # Odometry begins where the robot stood; the wall is a plane, and its voxels are those around it.
+    assert voxels["wall"] == pytest.approx([away] * len(voxels["wall"]), abs=0.08) and voxels["wall"]
+    assert voxels["ground"] > 200
+
+
 def test_every_pose_is_one_of_the_odometry(sight):
     assert sight["odometry_hz"] == pytest.approx(150, abs=3) and sight["pose_hz"] == pytest.approx(18.75, abs=0.4)
     assert sight["shared"] > 0.8, "but for what a best-effort reader loses"

@@ -134,11 +134,9 @@ TEST_F(LidarTest, SendsCloudBaseOnlyWhileTheMotionServiceIsOn) {
 
 TEST_F(LidarTest, SendsEachContentAtItsRateAndStopsWhatNeedsTheMotionService) {
   const std::map<Content, std::pair<std::size_t, bool>> rates = {
-      {Content::kCloudDeskewed, {14, true}},
-      {Content::kImuOfLidar, {250, false}},
-      {Content::kStateOfLidar, {5, false}},
-      {Content::kClearance, {14, true}},
-      {Content::kHeightMap, {11, true}}};
+      {Content::kCloudDeskewed, {14, true}}, {Content::kImuOfLidar, {250, false}},
+      {Content::kStateOfLidar, {5, false}},  {Content::kClearance, {14, true}},
+      {Content::kHeightMap, {11, true}},     {Content::kVoxelMap, {7, true}}};
   for (const auto& [content, rate] : rates) {
     EXPECT_NEAR(static_cast<double>(Second(content).size()), static_cast<double>(rate.first), 1)
         << static_cast<int>(content);
@@ -182,6 +180,35 @@ TEST_F(LidarTest, MapsTheGroundAtItsHeight) {
   }
   EXPECT_GT(seen, 1000);
   EXPECT_LT(off, 0.15) << "no leg is in it";
+}
+
+TEST_F(LidarTest, FillsTheVoxelsOfTheGroundAndOfABoxWhereTheyAre) {
+  const test::TemporaryFolder folder;
+  Start({"scene=" + folder
+                        .Write("box.xml", R"(<mujoco><worldbody>
+      <geom type="plane" size="0 0 1"/><geom type="box" size="0.2 0.3 0.2" pos="1.1 0.4 0.2"/>
+      </worldbody></mujoco>)")
+                        .string()});
+  const robot::VoxelMap map = Second(Content::kVoxelMap).back().voxels;
+  const auto is_full = [&map](double x, double y, double z) {
+    const Eigen::Vector3d cell = (Eigen::Vector3d(x, y, z) - map.origin) / robot::VoxelMap::kCell;
+    const auto place = [](double at) { return static_cast<std::size_t>(std::lround(at)); };
+    const std::size_t row = (place(cell.z()) * 128 + place(cell.y())) * 16;
+    return (map.bits.at(row + place(cell.x()) / 8) >> (7 - place(cell.x()) % 8) & 1) != 0;
+  };
+  const Eigen::Vector3d front = world_->world().physics().robot().base().p_WB;
+  int face = 0, ground = 0, air = 0;
+  for (double y = 0.15; y < 0.7; y += 0.05) {
+    for (double z = 0.1; z < 0.35; z += 0.05) {
+      // A voxel either way: odometry began where the base is now.
+      for (const double off : {-0.05, 0.0, 0.05}) face += is_full(0.9 - front.x() + off, y, z);
+      air += is_full(0.6 - front.x(), y, z);
+    }
+  }
+  for (double y = -0.5; y < 0; y += 0.05) ground += is_full(0.8, y, -0.02);
+  EXPECT_GT(face, 20);
+  EXPECT_EQ(air, 0);
+  EXPECT_GT(ground, 3);
 }
 
 TEST_F(LidarTest, MeasuresHowFarAWallIs) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <lz4.h>
 
 namespace understudy::wire {
 namespace {
@@ -85,6 +86,43 @@ TEST_F(LidarCodecTest, HasTheMapOfTheVendorsPage) {
   ASSERT_EQ(message.data._length, 128U * 128U);
   EXPECT_EQ(message.data._buffer[128 * 3 + 5], 0.25F) << "x first";
   EXPECT_EQ(message.data._buffer[0], 1e9F);
+}
+
+TEST_F(LidarCodecTest, HasVoxelsAsABlockOfLz4) {
+  reading_.voxels = {.origin = {-3.625, -3.275, -0.575},
+                     .bits = std::vector<std::uint8_t>(128 * 128 * 38 / 8)};
+  reading_.voxels.bits[2048 * 3 + 16 * 5 + 1] = 0x81;
+  VoxelMapEncoder encode;
+  unitree_go_msg_dds__VoxelMapCompressed_ message{};
+  encode(reading_, &message);
+  EXPECT_DOUBLE_EQ(message.stamp, 12.004);
+  EXPECT_STREQ(message.frame_id, "odom");
+  EXPECT_EQ(message.resolution, 0.05);
+  EXPECT_EQ(message.origin[1], -3.275);
+  EXPECT_EQ(message.width[0], 128);
+  EXPECT_EQ(message.width[2], 38);
+  EXPECT_EQ(message.src_size, 77824U);
+  EXPECT_LT(message.data._length, 1000U);
+  std::vector<std::uint8_t> bits(message.src_size);
+  const auto text = [](std::uint8_t* bytes) { return reinterpret_cast<char*>(bytes); };
+  EXPECT_EQ(LZ4_decompress_safe(text(message.data._buffer), text(bits.data()),
+                                static_cast<int>(message.data._length), 77824),
+            77824);
+  EXPECT_EQ(bits, reading_.voxels.bits);
+}
+
+TEST_F(LidarCodecTest, HasVoxelsThatDoNotCompress) {
+  reading_.voxels.bits.resize(77824);
+  std::uint32_t state = 1;
+  for (std::uint8_t& bits : reading_.voxels.bits) {
+    state = state * 1664525 + 1013904223;
+    bits = static_cast<std::uint8_t>(state >> 24);
+  }
+  VoxelMapEncoder encode;
+  unitree_go_msg_dds__VoxelMapCompressed_ message{};
+  encode(reading_, &message);
+  EXPECT_GT(message.data._length, 77000U);
+  EXPECT_EQ(message.src_size, 77824U);
 }
 
 }  // namespace

@@ -50,6 +50,8 @@ std::vector<Row> GoRows(const robot::RobotSpec& spec) {
           {"rt/utlidar/lidar_state", &unitree_go_msg_dds__LidarState__desc, lidar ? 1 : 0},
           {"rt/utlidar/range_info", &geometry_msgs_msg_dds__PointStamped__desc, lidar ? 1 : 0},
           {"rt/utlidar/height_map_array", &unitree_go_msg_dds__HeightMap__desc, lidar ? 1 : 0},
+          {"rt/utlidar/voxel_map_compressed", &unitree_go_msg_dds__VoxelMapCompressed__desc,
+           lidar ? 1 : 0},
           {"rt/utlidar/cloud_livox_mid360", &sensor_msgs_msg_dds__PointCloud2__desc, livox},
           {"rt/utlidar/imu_livox_mid360", &sensor_msgs_msg_dds__Imu__desc, livox}};
 }
