@@ -146,7 +146,7 @@ class WalkVectorEnv(VectorEnv):
         self.level = np.zeros(num_envs, int)  # of the course
         self._begun = np.zeros((num_envs, 2), np.float32)  # where the episode began
         self._asked = np.zeros(num_envs, np.float32)  # m that it was asked to go
-        self._age = np.zeros(num_envs, int)  # steps of the episode
+        self.age = np.zeros(num_envs, int)  # steps of the episode; may be set, so that not all end at once
         self._push_at = np.zeros(num_envs, int)  # the step in which it is pushed next
         self._limits = np.array(self.definition.velocity, np.float32)
         self._rest = self.definition.act(self.action)[0].astype(np.float32)  # where an action of 0 leads
@@ -172,16 +172,16 @@ class WalkVectorEnv(VectorEnv):
         self._push()
         self.batch.command(q=q, kp=self.definition.kp, kd=self.definition.kd)
         self.batch.step(self.dt)
-        self._age += 1
+        self.age += 1
         truth = self.batch.truth
         fell = (truth["tilt"][:, 0] > self.task.steepest) | (truth["position"][:, 2] < self.task.lowest)
-        over = (self._age >= round(self.task.episode / self.dt)) & ~fell
+        over = (self.age >= round(self.task.episode / self.dt)) & ~fell
         self._asked += self.dt * np.hypot(self.velocity[:, 0], self.velocity[:, 1])
         self._note_landings()
         terms = {name: self.task.weights[name] * values for name, values in self.reward_terms().items()}
         reward = self.dt * (np.maximum(sum(terms.values()), 0) + self.task.weights["fall"] * fell)
         # A command counts from the next observation on.
-        for i in np.flatnonzero(self._age % round(self.task.command_time / self.dt) == 0):
+        for i in np.flatnonzero(self.age % round(self.task.command_time / self.dt) == 0):
             self._command(i)
         observation = self.definition.observe(self.batch.state, self.velocity)
         info, ended = {}, np.flatnonzero(fell | over)
@@ -220,12 +220,12 @@ class WalkVectorEnv(VectorEnv):
         self.landed, self._touched = touches & ~self._touched, touches
 
     def _push(self):
-        for i in np.flatnonzero(self._age == self._push_at) if self.task.push > 0 else ():
+        for i in np.flatnonzero(self.age >= self._push_at) if self.task.push > 0 else ():
             random = self._random[i]
             size, way = random.uniform(0, self.task.push), random.uniform(0, 2 * np.pi)
-            if self._age[i] > 0:
+            if self.age[i] > 0:
                 self.batch.robots[i].request("push", impulse=[size * np.cos(way), size * np.sin(way), 0])
-            self._push_at[i] += 1 + round(random.uniform(0, self.task.push_time) / self.dt)
+            self._push_at[i] = self.age[i] + 1 + round(random.uniform(0, self.task.push_time) / self.dt)
 
     def _command(self, i):
         random = self._random[i]
@@ -254,7 +254,7 @@ class WalkVectorEnv(VectorEnv):
                 self.batch.robots[i].request("clamp", on=False)
         self.action[robots] = self.last_action[robots] = 0
         self.air[robots], self._touched[robots] = 0, True
-        self._age[robots] = self._push_at[robots] = 0
+        self.age[robots] = self._push_at[robots] = 0
         self.definition.begin(robots.tolist(), self.batch.state)
 
 
