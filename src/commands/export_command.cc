@@ -6,6 +6,7 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "commands/commands.h"
+#include "commands/mjlab_package.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
 #include "config/load.h"
@@ -21,6 +22,7 @@ namespace {
 struct ExportArguments : SetArguments {
   std::string robot;
   std::string out;
+  std::string definition;  // of mjlab's policy
 };
 
 config::Config ConfigOf(const ExportArguments& arguments) {
@@ -47,6 +49,15 @@ int ExportMjcf(const ExportArguments& arguments) {
   WriteFile(out, saved.xml);
   for (const mjcf::SavedField& field : saved.fields) {
     WriteFile(out.parent_path() / field.file, field.bytes);
+  }
+  return 0;
+}
+
+int ExportMjlab(const ExportArguments& arguments) {
+  const std::vector<std::string> left_out =
+      WriteMjlabPackage(ConfigOf(arguments), arguments.out, arguments.definition);
+  for (const std::string& key : left_out) {
+    std::fprintf(stderr, "randomization.%s is not drawn by mjlab\n", key.c_str());
   }
   return 0;
 }
@@ -135,6 +146,24 @@ void AddExportCommand(CLI::App* app, Chosen* chosen) {
       "  understudy export mjcf g1 --out g1.xml\n"
       "  understudy export mjcf go2 --scene rough --out go2.xml");
   mjcf->callback([=] { *chosen = [=] { return ExportMjcf(*arguments); }; });
+  CLI::App* mjlab = AddFormat(group, arguments.get(), "mjlab",
+                              "Write a robot as a task of mjlab, to train on a graphics card",
+                              "Folder to write, by the name of a Python package");
+  mjlab->get_option("--out")->required()->type_name("FOLDER");
+  mjlab
+      ->add_option("--definition", arguments->definition,
+                   "deploy.yaml of the policy [the robot's own gains and pose]")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile);
+  AddSetOptions(mjlab, arguments.get(), "YAML file, as for a run", "randomization.mass=0.9,1.1");
+  mjlab->footer(
+      "The very model that is simulated, its motors, delay and noise, and what the configuration\n"
+      "draws at random, which mjlab then draws for each of its worlds. It walks by velocity on\n"
+      "flat ground. Put the parent folder on PYTHONPATH; `python -m go2_lab train` trains.\n"
+      "Examples:\n"
+      "  understudy export mjlab go2 --out go2_lab\n"
+      "  understudy export mjlab g1 --config randomization.yaml --out g1_lab");
+  mjlab->callback([=] { *chosen = [=] { return ExportMjlab(*arguments); }; });
 }
 
 }  // namespace understudy::commands

@@ -11,6 +11,17 @@ constexpr double kShareAtTrip = 0.5;   // of the torque limit; *assumed*
 constexpr double kCopper = 0.00393;    // 1/°C, of copper's resistance about 20 °C
 constexpr double kColdWinding_c = 25;  // for which watt_per_nm2 holds
 
+MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
+  if (!command.enabled) return {.enabled = true, .q = kNoPosition, .kd = spec.lock_kd};
+  command.kp *= spec.kp_scale;
+  command.kd *= spec.kd_scale;
+  return command;
+}
+
+std::size_t Index(int motor) { return static_cast<std::size_t>(motor); }
+
+}  // namespace
+
 std::vector<double> KdShares(const RobotSpec& spec) {
   std::vector<double> shares(AllMotors(spec).size(), 1.0);
   if (spec.dynamics.use != DynamicsSource::kFitted) return shares;
@@ -23,17 +34,6 @@ std::vector<double> KdShares(const RobotSpec& spec) {
   }
   return shares;
 }
-
-MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
-  if (!command.enabled) return {.enabled = true, .q = kNoPosition, .kd = spec.lock_kd};
-  command.kp *= spec.kp_scale;
-  command.kd *= spec.kd_scale;
-  return command;
-}
-
-std::size_t Index(int motor) { return static_cast<std::size_t>(motor); }
-
-}  // namespace
 
 double FollowedAngle(double q, const std::array<double, 2>& clamp) {
   const bool any = clamp[0] == 0 && clamp[1] == 0;

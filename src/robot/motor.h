@@ -63,6 +63,9 @@ struct MotorInstant {
   std::span<const MotorEffects> faults{};  // none: all are fine
 };
 
+// Returns by which share of a commanded kd each motor brakes, as it was fitted; 1 where it was not.
+std::vector<double> KdShares(const RobotSpec& spec);
+
 // All motors of one robot, of body and hands, with their temperatures.
 //
 // Heat. Winding and casing of each motor are two thermal masses in series. The winding is heated by

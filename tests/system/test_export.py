@@ -58,3 +58,23 @@ def test_a_ground_of_heights_is_a_file_beside_the_mjcf(understudy, tmp_path):
     assert [file.suffix for file in sorted(tmp_path.iterdir())].count(".hf") >= 1
     alone = understudy("export", "mjcf", "go2", "--scene", "rough")
     assert alone.returncode == 4 and "--out" in alone.stderr
+
+
+@pytest.mark.parametrize("robot, folder, said", [
+    ("go2", "my-lab", "expected the name of a Python package"),
+    ("go2w", "my_lab", "expected a robot.kind of quadruped or humanoid"),
+    ("two_joint_arm", "my_lab", "expected a robot.kind of quadruped or humanoid"),
+])
+def test_a_package_for_mjlab_is_refused_where_nothing_could_walk(understudy, tmp_path, robot, folder, said):
+    if robot == "two_joint_arm":
+        robot = ROOT / "examples" / "two_joint_arm" / "arm.yaml"
+    done = understudy("export", "mjlab", robot, "--out", tmp_path / folder)
+    assert done.returncode == 3 and said in done.stderr, done.stderr
+    assert not (tmp_path / folder).exists()
+
+
+def test_a_package_for_mjlab_takes_only_a_definition_that_fits(understudy, tmp_path):
+    g1 = ROOT / "src" / "python" / "understudy" / "tasks" / "g1_flat.yaml"
+    done = understudy("export", "mjlab", "go2", "--out", tmp_path / "lab", "--definition", g1)
+    assert done.returncode == 3 and "g1_flat.yaml" in done.stderr, done.stderr
+    assert not (tmp_path / "lab").exists()

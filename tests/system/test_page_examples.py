@@ -36,6 +36,7 @@ ELSEWHERE = {
     r"(sudo )?setcap ": "changes the program under test, and needs the right to: docs/reference/realtime.md says what to look for",
     r'pip install "?\.|python -m understudy': "builds all once more: tools/python_env does it, tests/python/test_package.py runs it",
     r"python3 examples/training/go2_flat/train.py": "trains for an hour: tests/python/test_training.py trains for some seconds",
+    r"python -m g1_lab": "needs mjlab, which takes gigabytes: tests/python/programs/mjlab_task.py steps it, by hand",
     r"understudy rehearse examples/training": "needs a walk that was trained: test_policy.py judges one that stands",
     r"ros2 bag play": "needs ROS 2: test_ros_topics.py decodes the same topics of a recording by ROS 2's definitions",
     r"understudy exec go2 --scene examples/course": "walks for a minute: tests/conformance/test_course.py runs it",
