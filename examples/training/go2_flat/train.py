@@ -15,6 +15,7 @@ optimization algorithms", 2017; its numbers are usual ones of legged robots: ass
 
 import argparse
 import csv
+import dataclasses
 import os
 import pathlib
 import pickle
@@ -30,6 +31,8 @@ import understudy  # noqa: E402
 import understudy.envs  # noqa: E402
 
 HIDDEN = (128, 128)
+HARDER = 8_400_000  # samples, from which on pushes are of up to HARDEST N·s; harder ones at once slow it down by half
+HARDEST = 20.0
 COLUMNS = ("iteration", "samples", "seconds", "reward_per_s", "ends_per_s", "deviation", "rate")  # of progress.csv
 STEPS, EPOCHS, PARTS = 24, 4, 4  # of an iteration: steps of each robot, passes over them, parts of a pass
 DISCOUNT, TRACE, CLIP = 0.99, 0.95, 0.2
@@ -223,6 +226,8 @@ def train(folder, envs, learner, until, board=None):
     saved = learner.iteration
     try:
         while not until():
+            if learner.samples >= HARDER:
+                envs.unwrapped.task = dataclasses.replace(envs.unwrapped.task, push=HARDEST)
             begin = time.monotonic()
             seen, observation, reward, ends = learner.collect(envs, observation)
             learner.learn(seen)
