@@ -49,11 +49,11 @@ TEST_F(VoxelMapperTest, FillsTheCubeOfAnEchoWhereverTheRobotIs) {
   for (const double base : {-50.0, -0.01, 0.0, 0.03, 3.21, 6.4, 1000.0}) {
     mapper_.Clear();
     mapper_.Begin({base, -base});
-    for (const double off : {-3.1, -0.33, 0.02, 1.61, 3.1}) {
+    for (const double off : {-3.1317, -0.3317, 0.0217, 1.6117, 3.1117}) {
       mapper_.Add({base + off, -base + off / 2, off / 10});
     }
     EXPECT_EQ(Full(), 5) << base;
-    for (const double off : {-3.1, -0.33, 0.02, 1.61, 3.1}) {
+    for (const double off : {-3.1317, -0.3317, 0.0217, 1.6117, 3.1117}) {
       EXPECT_TRUE(At(base + off, -base + off / 2, off / 10)) << base << ", " << off;
     }
   }
