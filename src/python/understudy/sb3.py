@@ -17,7 +17,7 @@ class VecEnv(vec_env.VecEnv):
 
     Observations: float32, shape (robots, width). Rewards: float32, shape (robots,). An episode that ends has its last
     observation in its info as `terminal_observation`, and whether its time was over as `TimeLimit.truncated`.
-    Attributes and methods are those of the vector: there is one for all robots, whatever `indices` says.
+    Attributes and methods are those of the vector: they are one for all robots, and `indices` has no effect.
     """
 
     def __init__(self, envs):
