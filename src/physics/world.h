@@ -86,8 +86,10 @@ class World {
 
   // Returns the index of a body by its name in the world's model, -1 if there is none.
   int FindBody(const std::string& name) const;
-  Eigen::Vector3d CenterOfMass(int body) const;  // m, world; as of the last BeginStep
-  double SubtreeMass(int body) const;            // kg, of the body and all that hangs on it
+  // Returns the centre of mass of that body alone [m], in the world, as of the last BeginStep;
+  // SubtreeCenterOfMass (world_reading.h) has that of a robot.
+  Eigen::Vector3d CenterOfMass(int body) const;
+  double SubtreeMass(int body) const;  // kg, of the body and all that hangs on it
   // Returns position and velocity of the point p_BP [m] of a body.
   PointReading Point(int body, const Eigen::Vector3d& p_BP) const;
 

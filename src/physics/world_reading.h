@@ -34,7 +34,8 @@ void ReadRates(const World& world, std::span<double> to);
 void ReadBodies(const World& world, std::span<BodyPose> to);
 // Returns how many it filled in: the contacts with a force.
 std::size_t ReadContacts(const World& world, std::span<ContactReading> to);
-// Returns the centre of mass [m] of the subtree of `body`.
+// Returns the centre of mass [m], in the world, of `body` and all that hangs on it, as of the last
+// BeginStep: of a base body, the robot's.
 std::array<double, 3> SubtreeCenterOfMass(const World& world, int body);
 
 }  // namespace understudy::physics

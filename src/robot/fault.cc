@@ -401,25 +401,28 @@ constexpr auto kKinds = std::to_array<FaultKind>({
 
 struct ComponentNames {
   std::string_view name, named_as;
+  std::string_view form;  // of its name in requests, with NAME for a part of it
 };
 
-constexpr std::array<ComponentNames, kComponents> kComponentNames{{
-    {"motor", "its joint: `FR_calf_joint`"},
-    {"encoder", "its joint's: `FR_calf_joint.encoder`"},
-    {"inertial unit", "`imu`, `secondary_imu`"},
-    {"foot's sensor", "its foot's: `foot.FR`"},
-    {"battery", "`battery`"},
-    {"remote controller", "`remote`"},
-    {"topic", "itself: `rt/lowstate`"},
-    {"service", "its name: `service.sport`"},
-    {"bus", "itself: `bus.FR`, a hand's `bus.left_hand`"},
-    {"fan", "itself: `fan.front`"},
-    {"mainboard", "`mainboard`"},
-    {"small controller of the mainboard", "`mcu`"},
-    {"lidar", "`lidar`"},
-    {"camera", "itself: `camera.front`"},
-    {"hand's program", "its hand's: `hand.left`, `hand.inspire`"},
-}};
+// In the order of the enum.
+constexpr auto kComponentNames = std::to_array<ComponentNames>({
+    {"motor", "its joint: `FR_calf_joint`", "a joint"},
+    {"encoder", "its joint's: `FR_calf_joint.encoder`", "JOINT.encoder"},
+    {"inertial unit", "`imu`, `secondary_imu`", "imu"},
+    {"foot's sensor", "its foot's: `foot.FR`", "foot.NAME"},
+    {"battery", "`battery`", "battery"},
+    {"remote controller", "`remote`", "remote"},
+    {"topic", "itself: `rt/lowstate`", "a topic"},
+    {"service", "its name: `service.sport`", "service.NAME"},
+    {"bus", "itself: `bus.FR`, a hand's `bus.left_hand`", "bus.NAME"},
+    {"fan", "itself: `fan.front`", "fan.NAME"},
+    {"mainboard", "`mainboard`", "mainboard"},
+    {"small controller of the mainboard", "`mcu`", "mcu"},
+    {"lidar", "`lidar`", "lidar"},
+    {"camera", "itself: `camera.front`", "camera.NAME"},
+    {"hand's program", "its hand's: `hand.left`, `hand.inspire`", "hand.NAME"},
+});
+static_assert(kComponentNames.size() == kComponents);
 
 }  // namespace
 
@@ -442,6 +445,15 @@ std::string_view NameOf(Component component) {
 
 std::string_view NamedAs(Component component) {
   return kComponentNames[static_cast<std::size_t>(component)].named_as;
+}
+
+std::string ComponentForms() {
+  std::string forms;
+  for (std::size_t i = 0; i < kComponents; ++i) {
+    if (i > 0) forms += i + 1 < kComponents ? ", " : " or ";
+    forms += kComponentNames[i].form;
+  }
+  return forms;
 }
 
 }  // namespace understudy::robot

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -180,5 +181,7 @@ std::span<const std::string_view> FaultNames();
 std::string_view NameOf(Component component);
 // Returns how one of them is named in requests: "FR_calf_joint.encoder" for "FR_calf_joint".
 std::string_view NamedAs(Component component);
+// Returns how components are named in requests: "a joint, JOINT.encoder, imu, ... or hand.NAME".
+std::string ComponentForms();
 
 }  // namespace understudy::robot

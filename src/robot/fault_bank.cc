@@ -107,10 +107,7 @@ Result<std::size_t> FaultBank::Find(std::string_view component) const {
   if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
   const std::string hint = NearestHint(component, names_);
   return Error{"the robot has no '" + std::string(component) + "'" +
-               (hint.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
-                               "remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard, "
-                               "mcu, lidar, camera.NAME or hand.NAME"
-                             : hint)};
+               (hint.empty() ? "; expected " + ComponentForms() : hint)};
 }
 
 bool FaultBank::Has(std::size_t component, const FaultKind& kind) const {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/parameter.h"
-#include "wire/topics.h"
+#include "wire/robot_topics.h"
 
 namespace understudy::services {
 namespace {
@@ -377,27 +377,6 @@ void ServiceHost::Say(const Service& service, std::int64_t api_id, const std::st
   if (!first && now < last->second + kNoticePeriod) return;
   last->second = now;
   log_(notice);
-}
-
-SwitchTopics::SwitchTopics(const bus::Participant& participant, Service* uwb_switch,
-                           std::atomic<bool>* mail)
-    : uwb_switch_(uwb_switch),
-      lidar_(participant, wire::kLidarSwitch, {.mail = mail}),
-      uwb_(participant, wire::kUwbSwitch, {.mail = mail}) {}
-
-void SwitchTopics::Poll(authority::MotorOwner* owner, std::vector<Call>* calls) {
-  lidar_.Take([&](const std_msgs_msg_dds__String_& message, bus::WriterHandle) {
-    const std::string_view word = message.data == nullptr ? "" : message.data;
-    if (word == "ON" || word == "OFF") {
-      owner->Switch(authority::kLidarProgram, word == "ON");
-    } else {
-      calls->push_back(
-          {.service = lidar_.topic(), .code = Call::kNoCode, .refusal = CallRefusal::kName});
-    }
-  });
-  uwb_.Take([&](const unitree_go_msg_dds__UwbSwitch_& message, bus::WriterHandle) {
-    uwb_switch_->Set("enable", message.enabled == 0 ? 0 : 1);
-  });
 }
 
 }  // namespace understudy::services

@@ -16,7 +16,6 @@
 #include "bus/cdr_sample.h"
 #include "bus/participant.h"
 #include "bus/reader.h"
-#include "idl/std_msgs.h"
 #include "idl/unitree_api.h"
 #include "idl/unitree_go.h"
 #include "services/picture_source.h"
@@ -24,29 +23,10 @@
 #include "services/service.h"
 #include "services/service_port.h"
 #include "services/status_texts.h"
+#include "services/switch_topics.h"
 #include "wire/outlets.h"
 
 namespace understudy::services {
-
-// Settings of a Go2 that a message changes instead of a request (docs/dev/sources.md#topics):
-//   rt/utlidar/switch  String_ "ON" or "OFF": the program unitree_lidar. That robot_state then
-//                      lists it so is assumed.
-//   rt/uwbswitch       UwbSwitch_: what uwbswitch SwitchSet sets.
-class SwitchTopics {
- public:
-  // Throws BusError. `uwb_switch` and `mail`, which is raised when a message has arrived, must
-  // outlive this.
-  SwitchTopics(const bus::Participant& participant, Service* uwb_switch, std::atomic<bool>* mail);
-
-  // Takes the waiting messages. Words other than ON and OFF change nothing and are added to `calls`
-  // as refused.
-  void Poll(authority::MotorOwner* owner, std::vector<Call>* calls);
-
- private:
-  Service* uwb_switch_;
-  bus::Reader<std_msgs_msg_dds__String_> lidar_;
-  bus::Reader<unitree_go_msg_dds__UwbSwitch_> uwb_;
-};
 
 // Receives requests, answers them and sends the replies. It never blocks or throws after
 // construction. The rules are the vendor's (docs/dev/sources.md#requests; the server of the Python
@@ -60,9 +40,8 @@ class SwitchTopics {
 //   - while a service is not served (Service::IsServed), nobody reads its requests, so that clients
 //     cannot send any (3102). Its readers go and come within a few polls, one channel in each; what
 //     arrives before is dropped;
-//   - a service with the fault `off` is sent requests and answers none (3104). Nothing is dropped
-//   or
-//     refused silently: Poll returns all of it;
+//   - a service with the fault `off` is sent requests and answers none (3104);
+//   - Poll returns all that is dropped or refused;
 //   - a reply waits until a response reader of the asking participant is matched, 300 ms at most:
 //     response readers are volatile, and ROS 2 clients make theirs with each call. The oldest
 //     waiting reply is given up when 64 wait;

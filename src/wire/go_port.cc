@@ -26,27 +26,28 @@ void Port::HearGo() {
 }
 
 std::unique_ptr<Publication> Port::OpenGo(const StateMessage& message) {
-  if (message.content == Content::kLowState) {
-    return Open<unitree_go_msg_dds__LowState_>(
-        message, [this](const robot::RobotState& state, unitree_go_msg_dds__LowState_* sent) {
-          Encode(state, spec_, sent);
-          return true;
-        });
+  switch (message.content) {
+    case Content::kLowState:
+      return Open<unitree_go_msg_dds__LowState_>(
+          message, [this](const robot::RobotState& state, unitree_go_msg_dds__LowState_* sent) {
+            Encode(state, spec_, sent);
+            return true;
+          });
+    case Content::kOdometry:
+      return Open<nav_msgs_msg_dds__Odometry_>(message, &EncodeOdometry);
+    case Content::kOdometryPose:
+      return Open<geometry_msgs_msg_dds__PoseStamped_>(message, &EncodePose);
+    case Content::kErrors:
+      return Open<std_msgs_msg_dds__String_>(
+          message, [list = ErrorList(spec_)](const robot::RobotState& state,
+                                             std_msgs_msg_dds__String_* sent) mutable {
+            if (!list.Update(state)) return false;
+            sent->data = list.text();
+            return true;
+          });
+    default:
+      return OpenShared(message);
   }
-  if (message.content == Content::kOdometry) {
-    return Open<nav_msgs_msg_dds__Odometry_>(message, &EncodeOdometry);
-  }
-  if (message.content == Content::kOdometryPose) {
-    return Open<geometry_msgs_msg_dds__PoseStamped_>(message, &EncodePose);
-  }
-  if (message.content != Content::kErrors) return OpenShared(message);
-  return Open<std_msgs_msg_dds__String_>(
-      message, [list = ErrorList(spec_)](const robot::RobotState& state,
-                                         std_msgs_msg_dds__String_* sent) mutable {
-        if (!list.Update(state)) return false;
-        sent->data = list.text();
-        return true;
-      });
 }
 
 }  // namespace understudy::wire

@@ -1,6 +1,7 @@
 #include "wire/port.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "robot/hand_law.h"
@@ -38,19 +39,24 @@ Port::Port(const bus::Participant& participant, const robot::RobotSpec& spec, do
 }
 
 std::unique_ptr<Publication> Port::OpenShared(const StateMessage& message) {
-  if (message.content == Content::kMotion) {
-    return Open<unitree_go_msg_dds__SportModeState_>(
-        message, [this, fields = MotionFieldsOf(spec_)](const robot::RobotState& state,
-                                                        unitree_go_msg_dds__SportModeState_* sent) {
-          EncodeMotion(state, spec_, fields, sent);
-          return true;
-        });
+  switch (message.content) {
+    case Content::kMotion:
+      return Open<unitree_go_msg_dds__SportModeState_>(
+          message, [this, fields = MotionFieldsOf(spec_)](
+                       const robot::RobotState& state, unitree_go_msg_dds__SportModeState_* sent) {
+            EncodeMotion(state, spec_, fields, sent);
+            return true;
+          });
+    case Content::kRemote:
+      return Open<unitree_go_msg_dds__WirelessController_>(
+          message,
+          [](const robot::RobotState& state, unitree_go_msg_dds__WirelessController_* sent) {
+            if (state.remote.there) EncodeRemote(state.remote, sent);
+            return state.remote.there;
+          });
+    default:
+      throw std::logic_error(message.topics.front().name + ": no port makes this message");
   }
-  return Open<unitree_go_msg_dds__WirelessController_>(
-      message, [](const robot::RobotState& state, unitree_go_msg_dds__WirelessController_* sent) {
-        if (state.remote.there) EncodeRemote(state.remote, sent);
-        return state.remote.there;
-      });
 }
 
 void Port::BeginTick(double t, const LinkFaults& faults) {

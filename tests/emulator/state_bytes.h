@@ -7,7 +7,8 @@
 
 namespace understudy::emulator {
 
-// Every field of the state, one after the other and without padding.
+// The readings of motors, units, feet, battery, base, remote controller and motion service, one
+// after the other and without padding. Touch, board, odometry and truth are not among them.
 std::string Bytes(const robot::RobotState& state);
 
 }  // namespace understudy::emulator

@@ -49,9 +49,9 @@ class World:
     def com(self, robot):
         return json.loads(self.ctl(robot, "snapshot", "--parts", "com"))["com"]
 
-    def pushes(self, robot):
+    def events(self, robot, kind):
         events = json.loads(self.ctl(robot, "events", "--json"))["events"]
-        return [event for event in events if event["kind"] == "push"]
+        return [event for event in events if event["kind"] == kind]
 
     def wait_ready(self):
         def ready():
@@ -91,8 +91,26 @@ def test_two_go2_walk_beside_a_g1_that_is_pushed(tmp_path):
         robots.ctl("left", "reset")
         assert abs(robots.com("left")[0]) < 0.3
         assert abs(robots.com("right")[0] - after["right"][0]) < 0.1
-        assert len(robots.pushes("tall")) == 1
-        assert not robots.pushes("left")
+        assert len(robots.events("tall", "push")) == 1
+        assert not robots.events("left", "push")
+    finally:
+        run.end()
+
+
+def test_a_fault_of_one_leaves_the_other_as_it_is(tmp_path):
+    world = tmp_path / "world.yaml"
+    world.write_text("robots: {left: {robot: go2}, right: {robot: go2, start: {at: [0, 2, 0]}}}\n")
+    script = tmp_path / "script.yaml"
+    script.write_text("script: [{at: 0.2, robot: right, fault: {component: FR_calf_joint, fault: hot, by: 40}}]\n")
+    run = Robot(world, "--script", script, name="faulty")
+    try:
+        robots = World(run, ("left", "right")).wait_ready()
+        assert robots.events("left", "fault") == []
+        eventually(lambda: len(robots.events("right", "fault")) == 1, what="the script's fault of the right one")
+        robots.ctl("right", "fault", "battery", "weak", "--by", "3")
+        assert [event["text"] for event in robots.events("right", "fault")] == [
+            "FR_calf_joint is hot by 40 °C", "battery is weak by 3"]
+        assert robots.events("left", "fault") == []
     finally:
         run.end()
 
