@@ -56,6 +56,21 @@ TEST(BenchTest, GivesTheSpeedOfRehearsalsOnItsOwn) {
   EXPECT_GT(figures[1].at("measured"), 1);
 }
 
+TEST(BenchTest, GivesWhatABatchKeepsOfMujocosSpeed) {
+  const auto figures = nlohmann::json::parse(OutputOf(BENCH " --batch --brief --json"))
+                           .at("figures")
+                           .get<std::vector<nlohmann::json>>();
+  std::vector<double> shares;
+  for (const auto& figure : figures) {
+    EXPECT_THAT(figure.at("measured").get<double>(), testing::AllOf(Gt(0), Lt(1e7))) << figure;
+    if (figure.at("name") == "batch, batch / bare MuJoCo per CPU") {
+      shares.push_back(figure.at("at_least"));
+      EXPECT_THAT(figure.at("measured").get<double>(), testing::AllOf(Gt(0.2), Lt(2))) << figure;
+    }
+  }
+  EXPECT_THAT(shares, testing::ElementsAre(0.95, 0.92));
+}
+
 TEST(BenchTest, GivesWhatTheSimulatedClockKeepsToOnItsOwn) {
   const auto figures = nlohmann::json::parse(OutputOf(BENCH " --clock --brief --json"))
                            .at("figures")

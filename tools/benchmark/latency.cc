@@ -185,7 +185,8 @@ std::vector<Figure> MeasureMemory(const std::string& understudy, const std::stri
   const Daemon daemon(understudy, robot, {});
   daemon.AwaitReady();
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-  const double pss = daemon.process().Pss(), rss = daemon.process().Rss();
+  const pid_t pid = daemon.process().pid();
+  const double pss = Megabytes(pid, "Pss:"), rss = Megabytes(pid, "Rss:");
   return {{.robot = robot, .name = "memory, proportional (Pss)", .unit = "MB", .value = pss},
           {.robot = robot,
            .name = "memory, resident (Rss)",

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "batch.h"
 #include "client.h"
 #include "clock.h"
 #include "config/data_dir.h"
@@ -33,6 +34,7 @@ struct Effort {
   int rehearsals = 1000;
   int clouds = 200;
   ClockEffort clock{};
+  BatchEffort batch{};
 };
 constexpr Effort kBrief = {
     .rounds = {.count = 3, .window = 0.1, .settle = 1000},
@@ -42,7 +44,8 @@ constexpr Effort kBrief = {
     .walk = 1,
     .rehearsals = 4,
     .clouds = 2,
-    .clock = {.seconds = 2, .speeds = 1, .pairs = 1, .flooded = 1, .rehearsals = 2}};
+    .clock = {.seconds = 2, .speeds = 1, .pairs = 1, .flooded = 1, .rehearsals = 2},
+    .batch = {.robots = 4, .rounds = 1}};
 
 // Of the stepping; the other figures are of these robots in their own start.
 constexpr Doing kDoings[] = {
@@ -63,7 +66,7 @@ int Main(int argc, char** argv) {
       "bench");
   bool json = false, brief = false;
   bool only_start = false, only_rehearsals = false, only_further = false;
-  bool only_perception = false, only_clock = false;
+  bool only_perception = false, only_clock = false, only_batch = false;
   ClockedProgram program;
   std::string understudy =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "understudy";
@@ -74,6 +77,7 @@ int Main(int argc, char** argv) {
   app.add_flag("--rehearsals", only_rehearsals, "Only how fast a campaign of rehearsals goes");
   app.add_flag("--further", only_further, "Only what a further robot in one world takes");
   app.add_flag("--perception", only_perception, "Only what a lidar's rays take");
+  app.add_flag("--batch", only_batch, "Only what robots side by side take in one process");
   app.add_option("--understudy", understudy, "The program to measure [the one beside this]")
       ->check(CLI::ExistingFile);
   app.add_flag("--clock", only_clock,
@@ -97,10 +101,14 @@ int Main(int argc, char** argv) {
     std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);
     return 0;
   };
-  if (!only_start && !only_rehearsals && !only_further && !only_clock) {
+  if (!only_start && !only_rehearsals && !only_further && !only_clock && !only_batch) {
     figures = MeasurePerception(effort.clouds);
   }
   if (only_perception) return print();
+  if (only_batch) {
+    figures = MeasureBatch(effort.batch);
+    return print();
+  }
   exec::EnterPrivateNetwork();
   if (only_clock) {
     if (!helper_robot.empty()) program.robot = helper_robot;

@@ -113,8 +113,8 @@ double Process::CpuOfFirstThread() const {
   return nanoseconds * 1e-9;
 }
 
-double Process::Megabytes(const std::string& key) const {
-  std::ifstream file("/proc/" + std::to_string(pid_) + "/smaps_rollup");
+double Megabytes(pid_t pid, const std::string& key) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/smaps_rollup");
   for (std::string word; file >> word;) {
     double kilobytes = 0;
     if (word == key && file >> kilobytes) return kilobytes / 1024;

@@ -23,6 +23,10 @@ int Cores();
 // Runs a program silently to its end and returns its exit code; -1 if a signal ended it.
 int RunToEnd(const std::vector<std::string>& arguments);
 
+// Memory of a program in MB, by a key of its smaps_rollup: what is shared with other processes
+// counts in proportion ("Pss:") or in full ("Rss:"). 0 if there is none.
+double Megabytes(pid_t pid, const std::string& key);
+
 // A child that is silent and ends with this object.
 class Process {
  public:
@@ -39,13 +43,8 @@ class Process {
   void Continue() const;
   // Seconds of CPU that the first thread has had.
   double CpuOfFirstThread() const;
-  // MB; what is shared with other processes counts in proportion (Pss) or in full (Rss).
-  double Pss() const { return Megabytes("Pss:"); }
-  double Rss() const { return Megabytes("Rss:"); }
 
  private:
-  double Megabytes(const std::string& key) const;
-
   pid_t pid_;
 };
 

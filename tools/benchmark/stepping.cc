@@ -1,14 +1,12 @@
 #include "stepping.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
 #include <thread>
 
-#include <mujoco/mujoco.h>
-
 #include "assembly/simulation.h"
+#include "bare_loop.h"
 #include "client.h"
 #include "config/data_dir.h"
 #include "config/load.h"
@@ -18,90 +16,6 @@ namespace understudy::bench {
 namespace {
 
 using Wall = std::chrono::steady_clock;
-
-struct Speed {
-  double wall = 0;  // steps per s
-  double cpu = 0;   // steps per s of CPU of the stepping thread
-};
-
-// What the bare loop makes of a step.
-enum class Bare {
-  kStep,     // mj_step
-  kWithImu,  // and what the bodies feel, which MuJoCo computes for an accelerometer
-};
-
-// MuJoCo and nothing else, over the steps of another run: with the forces that acted on each joint
-// in each of them. Which steps matters: one that stands takes one iteration of the solver for
-// seconds, then two.
-class BareLoop {
- public:
-  BareLoop(const config::Config& config, const Doing& doing)
-      : run_(config), model_(run_.world().physics().model()), data_(mj_makeData(&model_)) {
-    if (doing.ahead != 0) run_.Request("remote.sticks", {{"ly", doing.ahead}});
-  }
-
-  // Goes on to `from`, and takes down what happens until `to`, both in steps since the start.
-  void Follow(std::int64_t from, std::int64_t to) {
-    for (; step_ < from; ++step_) run_.Step();
-    const mjData& now = run_.world().physics().data();
-    const Eigen::Index nq = model_.nq, nv = model_.nv;
-    const auto of = [nv](const mjtNum* values) {
-      return Eigen::Map<const Eigen::VectorXd>(values, nv);
-    };
-    const Eigen::Index count = std::max<std::int64_t>(to - step_, 1);
-    states_.resize(nq + 2 * nv, (count + kSecond - 1) / kSecond);
-    forces_.resize(nv, count);
-    for (Eigen::Index i = 0; i < count; ++i, ++step_) {
-      if (i % kSecond == 0) {
-        states_.col(i / kSecond) << Eigen::Map<const Eigen::VectorXd>(now.qpos, nq), of(now.qvel),
-            of(now.qacc_warmstart);
-      }
-      run_.Step();
-      // The torques of the motors, and what pulls and pushes at the bodies.
-      forces_.col(i) = of(now.qfrc_smooth) - of(now.qfrc_passive) + of(now.qfrc_bias);
-    }
-    next_ = 0;
-  }
-
-  Speed Run(Bare what, double window) {
-    const double cpu = ThreadCpu();
-    const Wall::time_point start = Wall::now();
-    double wall = 0;
-    std::int64_t steps = 0;
-    do {
-      for (int i = 0; i < kTogether; ++i) Step(what);
-      steps += kTogether;
-      wall = std::chrono::duration<double>(Wall::now() - start).count();
-    } while (wall < window);
-    const auto count = static_cast<double>(steps);
-    return {.wall = count / wall, .cpu = count / (ThreadCpu() - cpu)};
-  }
-
- private:
-  static constexpr int kSecond = 1000, kTogether = 100;  // steps
-
-  // Each second begins as in the run: a robot that walks by forces alone soon falls.
-  void Step(Bare what) {
-    if (next_ % kSecond == 0) {
-      const double* const state = states_.col(next_ / kSecond).data();
-      std::copy_n(state, model_.nq, data_->qpos);
-      std::copy_n(state + model_.nq, model_.nv, data_->qvel);
-      std::copy_n(state + model_.nq + model_.nv, model_.nv, data_->qacc_warmstart);
-    }
-    std::copy_n(forces_.col(next_).data(), model_.nv, data_->qfrc_applied);
-    mj_step(&model_, data_.get());
-    if (what == Bare::kWithImu) mj_rnePostConstraint(&model_, data_.get());
-    next_ = (next_ + 1) % forces_.cols();
-  }
-
-  assembly::Simulation run_;
-  std::int64_t step_ = 0;
-  const mjModel& model_;
-  mjcf::DataHandle data_;
-  Eigen::MatrixXd states_;  // qpos, qvel and qacc_warmstart of each second
-  Eigen::MatrixXd forces_;  // N and N·m, nv by step
-  Eigen::Index next_ = 0;
-};
 
 struct Stretch {
   std::int64_t from = 0, to = 0;  // steps since the start
@@ -160,7 +74,9 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& 
   const std::string robot = doing.robot, start = doing.start;
   const config::Config config =
       config::LoadConfig({.robot = robot, .sets = {"start.pose=" + start}}, config::DataDir());
-  BareLoop bare(config, doing);
+  assembly::Simulation run(config);
+  if (doing.ahead != 0) run.Request("remote.sticks", {{"ly", doing.ahead}});
+  BareLoop bare(&run);
   std::optional<Process> client;
   if (listener) client.emplace(HelperArguments("listen", robot));
 
