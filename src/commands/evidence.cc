@@ -24,7 +24,7 @@ void AddJudgeOptions(CLI::App* app, JudgeArguments* arguments) {
   app->add_flag("--json", arguments->json, "Print the verdicts as JSON");
   app->add_flag_callback(
       "--no-pictures", [arguments] { arguments->pictures = false; },
-      "Put no pictures of the robot into the report");
+      "Put no pictures of the robot, and of what it saw, into the report");
   app->add_option("--run", arguments->run,
                   "Only this run of a scenario with `vary`; the first is 1")
       ->type_name("NUMBER")
@@ -87,9 +87,10 @@ std::optional<rehearse::Ladder> Climb(const rehearse::Recordings& recordings,
 
 rehearse::Pictures PicturesFor(const JudgeArguments& arguments,
                                const rehearse::Expectations& expect, const rehearse::Judged& judged,
+                               const config::Config& config,
                                const std::vector<fs::path>& recordings, const fs::path& folder) {
   if (!arguments.pictures || judged.about.empty()) return {};
-  return DrawPictures(expect, judged, recordings, folder);
+  return DrawPictures(expect, judged, config, recordings, folder);
 }
 
 std::string RobotsText(const config::Config& config) {

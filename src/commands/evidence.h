@@ -56,6 +56,7 @@ std::optional<rehearse::Ladder> Climb(const rehearse::Recordings& recordings,
 // Draws those of a recording that has the simulation's truth, where they are asked for.
 rehearse::Pictures PicturesFor(const JudgeArguments& arguments,
                                const rehearse::Expectations& expect, const rehearse::Judged& judged,
+                               const config::Config& config,
                                const std::vector<std::filesystem::path>& recordings,
                                const std::filesystem::path& folder);
 

@@ -63,7 +63,7 @@ int JudgeCommand(const JudgeArguments& arguments) {
       .unrepeatable = {},
       .repeats = {},
       .ladder = Climb(recordings, standard.stages, standard.config, judged, folder),
-      .pictures = PicturesFor(arguments, standard.expect, judged, files, folder),
+      .pictures = PicturesFor(arguments, standard.expect, judged, standard.config, files, folder),
       .wall = 0};
   return TellVerdicts(occasion, standard.expect, judged, folder, arguments.json);
 }

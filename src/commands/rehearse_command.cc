@@ -245,8 +245,8 @@ class OneRehearsal {
             .repeats = repeats_,
             .ladder = Climb(rehearse::OpenRecordings(recordings), scenario_.stages,
                             scenario_.config, rehearsal.judged, folder_),
-            .pictures =
-                PicturesFor(arguments_, scenario_.expect, rehearsal.judged, recordings, folder_),
+            .pictures = PicturesFor(arguments_, scenario_.expect, rehearsal.judged,
+                                    scenario_.config, recordings, folder_),
             .wall = rehearsal.wall};
   }
 

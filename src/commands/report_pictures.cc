@@ -14,8 +14,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/errors.h"
 #include "base/files.h"
 #include "exec/companion_file.h"
+#include "mjcf/join.h"
+#include "rehearse/lidar_view.h"
 
 namespace understudy::commands {
 namespace {
@@ -79,29 +82,66 @@ std::string Digits(double number) {
   return digits.data();
 }
 
+// Draws one recording by `understudy picture`.
+class Painter {
+ public:
+  explicit Painter(const fs::path& folder)
+      : viewer_(exec::CompanionFile("understudy-view")), file_(folder / "picture.png") {
+    std::error_code ignored;
+    if (!fs::exists(viewer_, ignored))
+      why_not_ = "understudy-view, which draws them, is not installed";
+  }
+  ~Painter() {
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+  }
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+
+  // Returns the file of a picture, by a camera of the robot's if one is named; "" if it cannot be
+  // drawn. After that it draws no more.
+  std::string Draw(const fs::path& recording, double at, const std::string& camera = "") {
+    if (!why_not_.empty()) return {};
+    std::vector<std::string> words{viewer_, "picture",  file_,    "--recording", recording,
+                                   "--at",  Digits(at), "--size", kSize,         "--overwrite"};
+    if (!camera.empty()) words.insert(words.end(), {"--camera", camera});
+    if (Succeeds(words)) return FileText(file_);
+    why_not_ = "understudy picture could not draw the recording";
+    return {};
+  }
+  const std::string& why_not() const { return why_not_; }
+
+ private:
+  fs::path viewer_, file_;
+  std::string why_not_;
+};
+
 }  // namespace
 
 rehearse::Pictures DrawPictures(const rehearse::Expectations& expect,
-                                const rehearse::Judged& judged,
+                                const rehearse::Judged& judged, const config::Config& config,
                                 const std::vector<fs::path>& recordings, const fs::path& folder) {
   rehearse::Pictures pictures;
-  const fs::path viewer = exec::CompanionFile("understudy-view");
-  std::error_code ignored;
-  if (!fs::exists(viewer, ignored)) {
-    pictures.why_not = "understudy-view, which draws them, is not installed";
-    return pictures;
-  }
-  const fs::path file = folder / "picture.png";
-  for (const auto& [at, robot] : InstantsOf(expect, judged)) {
-    const bool drawn = Succeeds({viewer, "picture", file, "--recording", recordings[robot], "--at",
-                                 Digits(std::min(at, judged.end)), "--size", kSize, "--overwrite"});
-    if (!drawn) {
-      pictures.why_not = "understudy picture could not draw the recording";
-      break;
+  Painter painter(folder);
+  for (const auto& [when, robot] : InstantsOf(expect, judged)) {
+    const double at = std::min(when, judged.end);
+    const fs::path& recording = recordings[robot];
+    const config::RobotConfig& of = config.robots[robot];
+    rehearse::Pictures::Picture picture{.at = when, .png = painter.Draw(recording, at)};
+    if (!of.spec.cameras.empty()) {
+      picture.camera = of.spec.cameras.front().name;
+      picture.seen_png = painter.Draw(recording, at, picture.camera);
     }
-    pictures.drawn.push_back({.at = at, .png = FileText(file)});
+    try {
+      const robot::RobotSpec spec = mjcf::WithPrefix(config.PrefixOf(of), of.spec);
+      const auto view = rehearse::ReadLidarView(recording, spec, at);
+      if (!view.empty()) picture.lidar = rehearse::DrawLidarView(view);
+    } catch (const SetupError& error) {
+      pictures.why_not = error.what();
+    }
+    if (!picture.png.empty() || !picture.lidar.empty()) pictures.drawn.push_back(picture);
   }
-  fs::remove(file, ignored);
+  if (pictures.why_not.empty()) pictures.why_not = painter.why_not();
   return pictures;
 }
 

@@ -34,9 +34,10 @@ class TruthReader {
   void Read(const Span& span, std::size_t nq, const Visit& visit, const Tell& tell = {},
             double before = 0) const;
 
- private:
+  // Returns the log time of a simulated time [s], 0 for one before the start.
   std::uint64_t LogTime(double time) const;
 
+ private:
   McapReader reader_;
   std::uint64_t origin_ = 0;  // log time of simulated time 0, ns
   Span whole_;

@@ -207,11 +207,23 @@ std::string DecidedAt(double at, const Expectations& expectations, const Judged&
 std::string PicturesHtml(const Pictures& pictures, const Expectations& expectations,
                          const Judged& judged) {
   std::string html = "<div class=\"pictures\">";
+  const auto figure = [&html](const std::string& what, const std::string& caption) {
+    html += "<figure>" + what + "<figcaption>" + Escaped(caption) + "</figcaption></figure>";
+  };
+  const auto image = [&figure](const std::string& alt, const std::string& png,
+                               const std::string& caption) {
+    if (png.empty()) return;
+    figure("<img alt=\"" + Escaped(alt) + "\" src=\"data:image/png;base64," + Base64(png) + "\">",
+           caption);
+  };
   for (const Pictures::Picture& picture : pictures.drawn) {
     const std::string when = TimeText(picture.at);
-    html += "<figure><img alt=\"The robot at " + when + "\" src=\"data:image/png;base64," +
-            Base64(picture.png) + "\"><figcaption>" + when + ": " +
-            Escaped(DecidedAt(picture.at, expectations, judged)) + "</figcaption></figure>";
+    image("The robot at " + when, picture.png,
+          when + ": " + DecidedAt(picture.at, expectations, judged));
+    image("What its camera " + picture.camera + " saw at " + when, picture.seen_png,
+          when + ": what its camera " + picture.camera + " saw, without its lens");
+    if (picture.lidar.empty()) continue;
+    figure(picture.lidar, when + ": what its lidar saw, from above; rings are 1 m apart");
   }
   html += "</div>\n";
   if (pictures.why_not.empty()) return html;

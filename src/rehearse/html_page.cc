@@ -51,6 +51,10 @@ svg text { fill: var(--dim); font: 11px system-ui, "DejaVu Sans", sans-serif; }
 .limit { stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 5 4; }
 .instant { stroke: var(--bad); stroke-width: 1.5; } .passed .instant { stroke: var(--good); }
 .event { stroke: var(--none); stroke-width: 2; }
+.above { background: var(--paper); border: 1px solid var(--line); } .above path { stroke-width: 2; }
+.ring { fill: none; stroke: var(--line); } .above .robot { fill: var(--bad); stroke: var(--paper); stroke-width: 1; }
+.height0 { stroke: #b9c2cc; } .height1 { stroke: #4c9ed9; } .height2 { stroke: #35a46f; }
+.height3 { stroke: #d9a51f; } .height4 { stroke: #d9622b; } .height5 { stroke: #9a4fb0; }
 @media print { body { background: #fff; } section.claim { break-inside: avoid; } }
 )css";
 

@@ -15,14 +15,17 @@ namespace understudy::rehearse {
 // Nearer instants look alike and have one picture, s; *assumed*.
 inline constexpr double kPicturesApart = 0.1;
 
-// Pictures of the robot.
+// Pictures of the robot, and of what it saw.
 struct Pictures {
   struct Picture {
-    double at = 0;      // simulated s
-    std::string png{};  // the file
+    double at = 0;           // simulated s
+    std::string png{};       // the robot, as a file; "": not drawn
+    std::string camera{};    // a camera of the robot; "": it has none
+    std::string seen_png{};  // what that saw, as a file; "": not drawn
+    std::string lidar{};     // what its lidar saw from above, as <svg>; "": it had no cloud
   };
   std::vector<Picture> drawn{};
-  std::string why_not{};  // there are no more; else ""
+  std::string why_not{};  // pictures are missing; else ""
 };
 
 // What was rehearsed, as the outputs name it.

@@ -8,6 +8,7 @@
 
 #include "config/data_dir.h"
 #include "exec/companion_file.h"
+#include "mjcf/join.h"
 #include "services/robot_services.h"
 
 namespace understudy::run {
@@ -68,6 +69,8 @@ server::Plane Observers::MakePlane(const RunOptions& options, const config::Conf
           .events = server::EventHistory(&world->events(), guest.index()),
           .scene = server::SceneFiles(&scene_, &robot.spec, config.PrefixOf(robot)),
           .bus = server::BusView(&guest.participant()),
+          .sight = server::Sight(&guest.participant(),
+                                 mjcf::WithPrefix(config.PrefixOf(robot), robot.spec)),
           .recordings = server::Recordings(RecordingFolder(), &scene_, robot.spec.name),
           .services = services::ServicesOf(robot.spec.apis),
           .files = server::StaticFiles(config::PanelDir()),

@@ -56,7 +56,8 @@ bool Equal(std::string_view given, std::string_view token) {
 bool NeedsToken(const HttpRequest& request) {
   const std::string_view path = PathOf(request);
   return request.method != "GET" || (path == "/requests" && request.upgrade) || path == "/panel" ||
-         path.starts_with("/recordings") || path.starts_with("/cameras/");
+         path.starts_with("/recordings") || path.starts_with("/cameras/") ||
+         path.starts_with("/lidar/");
 }
 
 }  // namespace

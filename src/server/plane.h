@@ -15,6 +15,7 @@
 #include "server/event_history.h"
 #include "server/recordings.h"
 #include "server/scene_files.h"
+#include "server/sight.h"
 #include "server/static_files.h"
 #include "server/status_json.h"
 #include "services/api_row.h"
@@ -38,6 +39,7 @@ struct Plane {
   EventHistory events{};
   std::optional<SceneFiles> scene{};  // nullopt: no scene
   BusView bus{};
+  Sight sight{};
   Recordings recordings{};
   std::vector<services::ServiceTable> services{};
   StaticFiles files{""};             // of the panel

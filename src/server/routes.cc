@@ -201,6 +201,12 @@ Routed GetCamera(const HttpRequest&, std::string_view name, Plane& plane) {
                                        : "no camera " + shown + DidYouMean(shown, names));
 }
 
+Routed GetLidar(const HttpRequest&, std::string_view, Plane& plane) { return plane.sight.List(); }
+
+Routed GetLidarView(const HttpRequest&, std::string_view name, Plane& plane) {
+  return plane.sight.Get(name);
+}
+
 template <auto kMake>
 Routed FromScene(const HttpRequest&, std::string_view index, Plane& plane) {
   if (!plane.scene) return ErrorReply(404, "there is no scene");
@@ -249,6 +255,8 @@ constexpr Row kRoutes[] = {
     {"/recordings/{name}", GetRecording},
     {"/cameras", GetCameras},
     {"/cameras/{name}", GetCamera},
+    {"/lidar", GetLidar},
+    {"/lidar/{name}", GetLidarView},
     {"/timings", GetTimings},
     {"/metrics", GetMetrics},
     {"/scene", FromScene<&SceneFiles::Scene>},

@@ -129,6 +129,7 @@ class ControlServer::Loop {
  private:
   void ReadEvents() {
     shared_.plane.events.Update();
+    shared_.plane.sight.Rest();
     events_timer_.expires_after(kEventsEvery);
     events_timer_.async_wait([this](const error_code& error) {
       if (!error) ReadEvents();

@@ -5,6 +5,7 @@ import subprocess
 
 import numpy as np
 import pytest
+from pupil_apriltags import Detector
 
 WIDTH, HEIGHT = 1280, 720
 FOCAL, CENTRE = (864.4, 863.7), (639.2, 373.3)
@@ -59,6 +60,27 @@ def test_a_box_ahead_is_where_the_lens_has_it(front):
     assert red_span(picture[round(row)]) == (pytest.approx(left, abs=2), pytest.approx(right, abs=2), 0)
     (column, top), (_, bottom) = pixel_of(0, -HALF[1] / AWAY), pixel_of(0, HALF[1] / AWAY)
     assert red_span(picture[:, round(column)]) == (pytest.approx(top, abs=2), pytest.approx(bottom, abs=2), 0)
+
+
+TAG_ID, TAG_X, TAG_Y = 23, 1.2, 0.15  # m
+TAG_FACE = TAG_X - 0.0055  # m: its board is 1 cm thick
+TAG_HALF = 0.08  # m
+
+
+def test_a_detector_of_april_tags_finds_the_corners_where_the_lens_has_them(rehearse, tmp_path):
+    middle = CAMERA[1] + 0.05  # m over the ground
+    tag = f"[{{kind: tag, id: {TAG_ID}, pos: [{TAG_X}, {TAG_Y}, {middle - 0.1}], yaw: 3.14159265}}]"
+    run = rehearse("go2", "camera_watch.py", "front", str(tmp_path / "tag.jpg"), "0",
+                   options=("--start", "clamped", "--set", f"objects={tag}"))
+    assert run.succeeded()
+    grey = decoded(tmp_path / "tag.jpg").mean(axis=2).astype(np.uint8)
+    [found] = Detector(families="tag36h11").detect(grey)
+    assert found.tag_id == TAG_ID and found.hamming == 0
+    away = TAG_FACE - CAMERA[0]
+    # To the right and down of the camera's axis; from the lower left one on, against the clock.
+    expected = [pixel_of((right - TAG_Y) / away, (down + CAMERA[1] - middle) / away)
+                for right, down in ((-TAG_HALF, TAG_HALF), (TAG_HALF, TAG_HALF), (TAG_HALF, -TAG_HALF), (-TAG_HALF, -TAG_HALF))]
+    assert np.abs(found.corners - np.array(expected)).max() < 2
 
 
 def test_pictures_come_while_states_go_on_at_their_rate(front):

@@ -181,6 +181,16 @@ TEST_F(OutputsTest, ThePageHasThePicturesInItself) {
   EXPECT_THAT(html, HasSubstr("No more pictures: one &gt; is missing."));
   occasion.pictures.drawn.clear();
   EXPECT_THAT(TellHtml(occasion, expect_, judged_), HasSubstr("No pictures: one &gt; is missing."));
+  // What the robot saw stands beside it, also where it could not be drawn itself.
+  occasion.pictures.drawn = {
+      {.at = 1.5, .png = "Man", .camera = "a>b", .seen_png = "Ma"},
+      {.at = 2.5, .png = {}, .camera = {}, .seen_png = {}, .lidar = "<svg/>"}};
+  const std::string seen = TellHtml(occasion, expect_, judged_);
+  EXPECT_THAT(seen, HasSubstr("<img alt=\"What its camera a&gt;b saw at 1.500 s\" "
+                              "src=\"data:image/png;base64,TWE=\"><figcaption>1.500 s: what its "
+                              "camera a&gt;b saw"));
+  EXPECT_THAT(seen, HasSubstr("<figure><svg/><figcaption>2.500 s: what its lidar saw"));
+  EXPECT_THAT(seen, Not(HasSubstr("The robot at 2.500 s")));
   // A picture tells what was decided at its instant.
   judged_.rulings[0].verdict.worth.at = 1'500'000'000;
   occasion.pictures.drawn = {{.at = 1.5, .png = "Man"}};

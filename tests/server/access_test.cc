@@ -105,6 +105,7 @@ TEST_F(AccessTest, ATokenInTheAddressIsForWebSocketsOnly) {
 TEST_F(AccessTest, DoesNotTellTheTokenToWhoHasItNot) {
   EXPECT_EQ(Dut({.method = "GET", .target = "/panel?x", .host = "localhost"}), 401u);
   EXPECT_EQ(Dut({.method = "GET", .target = "/cameras/front", .host = "localhost"}), 401u);
+  EXPECT_EQ(Dut({.method = "GET", .target = "/lidar/cloud", .host = "localhost"}), 401u);
 }
 
 TEST_F(AccessTest, LooksAtNothingButTheLengthOfAnEmptyToken) {

@@ -275,6 +275,34 @@ def test_what_the_robots_camera_sees_is_shown_in_the_view_while_it_is_chosen(pag
     page.becomes("document.getElementById('seen').hidden")
 
 
+READS_CLOUD = """fetch("/bus").then((reply) => reply.json()).then(({ topics }) => topics.some(({ topic, endpoints }) =>
+  topic === "rt/utlidar/%s" && endpoints.some(({ writes }) => !writes)))"""
+
+
+@pytest.mark.parametrize("button, topic", [("cloud", "cloud"), ("heights", "height_map_array")])
+def test_what_the_lidar_sees_is_drawn_while_its_button_is_pressed_and_read_no_longer(play, visit, button, topic):
+    page = visit(url_of(play("go2", "--start", "standing")))
+    page.becomes(f"!document.getElementById('{button}').hidden")
+    assert page.evaluate(READS_CLOUD % topic) is False
+
+    page.click(f"#{button}")
+    points = f"panel.sight.clouds.{button}"
+    # The ground is where the robot stands. A page that was held up for long begins with no points.
+    low, high = page.becomes(f"""(() => {{
+        const {{ visible, matrix, geometry }} = {points}, m = matrix.elements, p = geometry.attributes.position;
+        if (!visible || p.count < 500) return null;
+        const z = [...Array(p.count).keys()].map((i) =>
+          m[2] * p.getX(i) + m[6] * p.getY(i) + m[10] * p.getZ(i) + m[14]).sort((a, b) => a - b);
+        return [z[Math.floor(0.1 * z.length)], z[Math.floor(0.5 * z.length)]];
+      }})()""")
+    page.becomes(READS_CLOUD % topic)
+    assert -0.06 < low <= high < 0.06
+
+    page.click(f"#{button}")
+    page.becomes(f"!{points}.visible")
+    page.becomes(f"({READS_CLOUD % topic}).then((reads) => !reads)")
+
+
 def test_no_drag_takes_the_view_under_the_ground(page):
     x, y = page.middle("#canvas")
     page.mouse("mousePressed", x, y)

@@ -105,14 +105,44 @@ def test_the_report_needs_no_other_file(rehearse, tmp_path):
     for outside in ("http:", "https:", "<script", "<link", "url("):
         assert outside not in html
     pictures = re.findall(r'<img alt="The robot at ([0-9.]+) s" src="data:image/png;base64,([^"]*)"', html)
-    assert 1 < len(pictures) <= 4 and html.count("<img") == len(pictures)
+    seen = re.findall(r'<img alt="What its camera front saw at ([0-9.]+) s" src="data:image/png;base64,([^"]*)"', html)
+    assert 1 < len(pictures) <= 4 and html.count("<img") == 2 * len(pictures)
+    assert [at for at, _ in seen] == [at for at, _ in pictures]
+    assert all(base64.b64decode(picture).startswith(b"\x89PNG") for _, picture in seen)
+    assert not {picture for _, picture in seen} & {picture for _, picture in pictures}
     decided = [one["at"] for one in verdicts(tmp_path / "out")["verdicts"]]
     for at, picture in pictures:
         assert base64.b64decode(picture).startswith(b"\x89PNG") and len(picture) > 10_000
         assert min(abs(float(at) - instant) for instant in decided) < 0.001
     assert not (tmp_path / "out" / "picture.png").exists()
     assert rehearse("stand_up", "--no-pictures").returncode == 0
-    assert "<img" not in (tmp_path / "out" / "report.html").read_text()
+    bare = (tmp_path / "out" / "report.html").read_text()
+    assert "<img" not in bare and 'class="above"' not in bare
+
+
+# 2 m wide, its face 1 m ahead of a robot that stands at the origin.
+WALL = """<mujoco><worldbody>
+  <geom type="plane" size="0 0 1"/>
+  <geom type="box" size="0.1 1 0.5" pos="1.1 0 0.5"/>
+</worldbody></mujoco>"""
+METRE, MIDDLE = 40, 160  # pixels of the view from above
+
+
+@pytest.mark.parametrize("robot", ["go2", "g1"])
+def test_the_report_shows_the_wall_that_the_lidar_saw_where_it_stands(rehearse, tmp_path, robot):
+    (tmp_path / "wall.xml").write_text(WALL)
+    file = tmp_path / "looks.yaml"
+    file.write_text(f"scenario: It looks at a wall\nrobot: {robot}\nstart: standing\nscene: {tmp_path / 'wall.xml'}\n"
+                    "duration: 2\nexpect:\n  - {always: base.tilt < 30 deg, from: 1.5, name: stands}\n")
+    assert rehearse(file).returncode == 0
+    view = re.search(r'<svg class="above".*?</svg>', (tmp_path / "out" / "report.html").read_text())[0]
+    for outside in ("http:", "https:", "<script", "url("):
+        assert outside not in view
+    tall = "".join(re.findall(r'<path class="height[2-5]" d="([^"]*)"', view))
+    cells = [(int(x), int(y)) for x, y in re.findall(r"M(\d+) (\d+)h", tall)]
+    ahead = sorted((MIDDLE - y) / METRE for x, y in cells if abs(x - MIDDLE) < 0.6 * METRE and y < MIDDLE - 0.6 * METRE)
+    assert len(ahead) > 10
+    assert ahead[len(ahead) // 2] == pytest.approx(1.0, abs=0.12)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])

@@ -22,6 +22,7 @@ import { saveCsv, savePicture, savePlots } from "./save.js";
 import { SensorTable } from "./sensor_table.js";
 import { Services } from "./services.js";
 import { Settings } from "./settings.js";
+import { Sight } from "./sight.js";
 import { rollPitchYaw, shortName, signalsOf } from "./signals.js";
 import { Splitters } from "./splitters.js";
 import { recall, remember, setRobot } from "./store.js";
@@ -46,6 +47,8 @@ const TOGGLES = [
   ["com", (on) => (view.com.visible = on)],
   ["collisions", (on) => view.showCollisions(on)],
   ["trail", (on) => (view.trail.visible = on)],
+  ["cloud", (on) => sight.choose("cloud", on)],
+  ["heights", (on) => sight.choose("heights", on)],
 ];
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
@@ -100,6 +103,7 @@ const recordings = new Recordings(link, showRecorded, say);
 new Dds(link);
 const table = new MotorTable(plotMotor);
 const eyes = new Eyes(link, say);
+const sight = new Sight(link, view, say);
 new DamageSheet(link);
 const truth = new TruthSheet(link);
 const sensors = new SensorTable((names) => plots.showFirst(names));
@@ -137,6 +141,7 @@ async function setScene(description) {
   await faults.read();
   const bare = await view.setScene(scene, (path) => link.bytes(path));
   byId("collisions").setAttribute("aria-pressed", bare);
+  await sight.setScene(scene);
   for (const [id, apply] of TOGGLES) {
     const kept = recall(`view.${id}`);
     if (typeof kept === "boolean" && !(id === "collisions" && bare)) press(id, apply, kept);
@@ -185,6 +190,7 @@ function showRecorded(instant) {
     bar.showRecorded(replays ? { time: instant.time, name: recordings.playing.name } : null);
     allowControls();
     if (replays) eyes.choose(""); // they are the live robot's
+    sight.pause(replays);
     tableShown = 0;
   }
   if (!replays) return showSnapshot(liveSnapshot);
@@ -334,4 +340,4 @@ showToken(link.token ? "ok" : "none");
 link.run();
 
 // For tests and for the curious at the browser's console.
-window.panel = { view, link, plots };
+window.panel = { view, link, plots, sight };

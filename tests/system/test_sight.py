@@ -1,0 +1,85 @@
+"""What a Go2's lidar saw, read from its recording by a reader of ROS 2 bags that knows none of our types."""
+
+import math
+
+import numpy as np
+import pytest
+from rosbags.highlevel import AnyReader
+from rosbags.typesys import Stores, get_typestore
+
+from rehearsals import rehearse_fixture
+
+FACE = 1.0  # m: x of the wall's face
+WALL = f"""<mujoco><worldbody>
+  <geom type="plane" size="0 0 1"/>
+  <geom type="box" size="0.1 1 0.5" pos="{FACE + 0.1} 0 0.5"/>
+</worldbody></mujoco>"""
+LOOKS = """
+scenario: It looks at a wall
+robot: go2
+start: standing
+scene: {scene}
+duration: 2
+script:
+  - {{at: 0.2, service.call: {{service: sport, api: 1008, parameter: '{{"x": 0, "y": 0, "z": 0.5}}'}}}}
+expect:
+  - {{always: base.tilt < 30 deg, name: stands}}
+"""
+
+
+def rotation_of(q):
+    w, x, y, z = q.w, q.x, q.y, q.z
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def points_of(cloud):
+    """Rows of x, y, z in the cloud's frame."""
+    offsets = {field.name: field.offset for field in cloud.fields}
+    rows = np.asarray(cloud.data).reshape(-1, cloud.point_step)
+    return np.column_stack([rows[:, offsets[axis]:offsets[axis] + 4].copy().view("<f4") for axis in "xyz"]).astype(float)
+
+
+@pytest.fixture
+def seen(rehearse, tmp_path):
+    """Points in the world, by cloud_base and the transform of its frame, which has the nearest stamp."""
+    (tmp_path / "wall.xml").write_text(WALL)
+    (tmp_path / "looks.yaml").write_text(LOOKS.format(scene=tmp_path / "wall.xml"))
+    done = rehearse(tmp_path / "looks.yaml", "--no-pictures", "--profile", "ideal")
+    assert done.returncode == 0, done.stdout + done.stderr
+    bases, clouds = {}, []
+    with AnyReader([tmp_path / "out" / "recording.mcap"], default_typestore=get_typestore(Stores.ROS2_HUMBLE)) as reader:
+        wanted = [one for one in reader.connections if one.topic in ("/tf", "/utlidar/cloud_base")]
+        for connection, time, raw in reader.messages(wanted):
+            message = reader.deserialize(raw, connection.msgtype)
+            if connection.topic == "/utlidar/cloud_base":
+                clouds.append((time, message.header.frame_id, points_of(message)))
+                continue
+            [base] = [one.transform for one in message.transforms if one.header.frame_id == "world"]
+            at = base.translation
+            bases[time] = (np.array([at.x, at.y, at.z]), rotation_of(base.rotation))
+    assert len(clouds) > 20 and {frame for _, frame, _ in clouds} == {"base_link"}
+    middle = 0.033e9  # ns: half of what a cloud lasts
+    placed = []
+    for time, _, points in clouds:
+        at, turned = bases[min(bases, key=lambda stamp: abs(stamp - (time - middle)))]
+        placed.append(points @ turned.T + at)
+    return np.vstack(placed)
+
+
+def test_a_plane_through_what_it_saw_of_a_wall_is_the_wall(seen):
+    wall = seen[(np.abs(seen[:, 0] - FACE) < 0.1) & (np.abs(seen[:, 1]) < 0.9) & (seen[:, 2] > 0.1) & (seen[:, 2] < 0.9)]
+    assert len(wall) > 500
+    middle = wall.mean(axis=0)
+    normal = np.linalg.svd(wall - middle, full_matrices=False)[2][2]
+    assert math.degrees(math.acos(abs(normal[0]))) < 1
+    assert middle[0] == pytest.approx(FACE, abs=0.02)
+
+
+def test_the_ground_is_a_plane_beneath_it(seen):
+    ground = seen[(np.abs(seen[:, 2]) < 0.1) & (seen[:, 0] < FACE - 0.2) & (np.hypot(seen[:, 0], seen[:, 1]) < 3)]
+    assert len(ground) > 500
+    middle = ground.mean(axis=0)
+    normal = np.linalg.svd(ground - middle, full_matrices=False)[2][2]
+    assert math.degrees(math.acos(abs(normal[2]))) < 1
