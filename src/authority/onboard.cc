@@ -5,6 +5,17 @@
 #include "robot/firmware.h"
 
 namespace understudy::authority {
+namespace {
+
+// Names: config/robots/g1.yaml, as a robot listed them. That each drives the hand of its letter is
+// *assumed*. No list of a robot with other hands is known.
+struct HandProgramRow {
+  std::string_view law, hand, program;
+};
+constexpr HandProgramRow kHandPrograms[] = {{"dex3", "left", "dex3_service_l"},
+                                            {"dex3", "right", "dex3_service_r"}};
+
+}  // namespace
 
 std::vector<std::string> MotionServices(const robot::RobotSpec& spec) {
   std::vector<std::string> aliases;
@@ -40,6 +51,13 @@ std::vector<OnboardService> OnboardServices(const robot::RobotSpec& spec, std::s
                         .version = service.version});
   }
   return services;
+}
+
+std::string_view HandProgram(const robot::HandSpec& hand) {
+  for (const HandProgramRow& row : kHandPrograms) {
+    if (row.law == hand.law && row.hand == hand.name) return row.program;
+  }
+  return {};
 }
 
 }  // namespace understudy::authority

@@ -25,4 +25,8 @@ std::string StartService(const robot::RobotSpec& spec, const MotionConfig& confi
 // Returns all programs of the firmware. Of the motion services only `on` is switched on.
 std::vector<OnboardService> OnboardServices(const robot::RobotSpec& spec, std::string_view on);
 
+// Returns the program that drives a hand, as robot_state lists it; "" if it lists none for such
+// hands. One that a robot lists and has switched off is as dead.
+std::string_view HandProgram(const robot::HandSpec& hand);
+
 }  // namespace understudy::authority

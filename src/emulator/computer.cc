@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "authority/onboard.h"
 #include "robot/command_topics.h"
 #include "robot/firmware.h"
+#include "robot/hand_links.h"
 
 namespace understudy::emulator {
 
@@ -24,8 +26,15 @@ Computer::Computer(const robot::RobotSpec& spec, const RobotSettings& settings, 
       power_(spec.boot),
       router_(spec, settings.gate, settings.motion, start, make),
       service_effects_(faults.effects().services),
+      link_effects_(faults.effects().links),
+      hand_effects_(faults.effects().hands),
       arrived_(router_.command()),
       tells_ranges_(robot::TellsRanges(spec)) {
+  std::vector<std::string> links = topics_;
+  std::ranges::copy(ports.topics->topics(), std::back_inserter(links));
+  for (const robot::HandSpec& hand : spec.hands) {
+    hand_links_.push_back(robot::HandLinks(hand, links));
+  }
   if (robot::HasLidar(spec.lidar)) input_.obstacles = &seen_;
 }
 

@@ -133,6 +133,8 @@ class Computer {
   void StepPower(double t);
   bool TakeCommand(std::size_t topic, double t);
   void CountLost(std::size_t topic);
+  // Brings the effects of faults on links and hands up to this tick. Returns whether there is any.
+  bool FollowHandPrograms();
   void Forget();
 
   const robot::RobotSpec& spec_;
@@ -148,7 +150,10 @@ class Computer {
   robot::Remote remote_;
   authority::CommandRouter router_;
   std::vector<robot::ServiceEffects> service_effects_;  // of faults, and of those not up yet
-  robot::RobotCommand arrived_;                         // the last command that was taken
+  std::vector<std::vector<std::size_t>> hand_links_;    // by hand, of its topics
+  std::vector<robot::LinkEffects> link_effects_;  // of faults, and of hands' programs that are off
+  std::vector<robot::HandEffects> hand_effects_;  // the same
+  robot::RobotCommand arrived_;                   // the last command that was taken
   authority::MotionInput input_;
   robot::SeenObstacles seen_;
   bool tells_ranges_;

@@ -1,20 +1,21 @@
 // Takes the commands that have arrived, and reads the remote controller.
 #include <algorithm>
 
+#include "authority/onboard.h"
 #include "emulator/computer.h"
 
 namespace understudy::emulator {
 
 void Computer::TakeCommands(double t) {
   StepPower(t);
-  const std::span<const robot::LinkEffects> links = faults_.effects().links;
   wire::LinkFaults faults;
-  if (faults_.any()) {
+  if (FollowHandPrograms()) {
+    const std::span<const robot::LinkEffects> links = link_effects_;
     faults = {links.first(topics_.size()), links.subspan(topics_.size())};
   }
   ports_.topics->BeginTick(t, faults);
   if (!power_.computes()) return ports_.topics->Clear();
-  router_.RunHands(faults_.effects().hands, t);
+  router_.RunHands(hand_effects_, t);
   router_.Obey(ReadRemote(t), t);
   if (const auto& unheeded = router_.unheeded()) {
     events_->AddUnheeded(*unheeded, router_.owner().state(), first_service_);
@@ -29,6 +30,20 @@ void Computer::TakeCommands(double t) {
     if (left == before) break;
   }
   for (std::size_t topic = 0; topic < topics_.size(); ++topic) CountLost(topic);
+}
+
+bool Computer::FollowHandPrograms() {
+  const robot::Effects& faulty = faults_.effects();
+  std::ranges::copy(faulty.links, link_effects_.begin());
+  std::ranges::copy(faulty.hands, hand_effects_.begin());
+  bool any = faults_.any();
+  for (std::size_t i = 0; i < hand_effects_.size(); ++i) {
+    const std::string_view program = authority::HandProgram(spec_.hands[i]);
+    if (program.empty() || router_.owner().Runs(program)) continue;
+    any = hand_effects_[i].dead = true;
+    for (const std::size_t link : hand_links_[i]) link_effects_[link].drops = true;
+  }
+  return any;
 }
 
 // Returns false if none has arrived.

@@ -95,6 +95,7 @@ void EncodeTruth(const Truth& truth, BytesOut* out) {
   PutNumber(truth.crane_tension, out);
   PutNumber(truth.nearest_obstacle, out);
   PutNumbers(truth.hand_force, out);
+  PutNumbers(truth.touch, out);
 }
 
 Truth DecodeTruth(ByteSpan bytes) {
@@ -109,6 +110,7 @@ Truth DecodeTruth(ByteSpan bytes) {
   truth.crane_tension = TakeNumber<double>(&in);
   if (in.remaining() > 0) truth.nearest_obstacle = TakeNumber<double>(&in);
   if (in.remaining() > 0) truth.hand_force = TakeNumbers(&in);
+  if (in.remaining() > 0) truth.touch = TakeNumbers(&in);
   return truth;
 }
 

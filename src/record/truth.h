@@ -27,7 +27,8 @@ inline constexpr char kTruthText[] =
     "float64[] foot_force\n"
     "float64 crane_tension\n"
     "float64 nearest_obstacle\n"
-    "float64[] hand_force\n";
+    "float64[] hand_force\n"
+    "float64[] touch\n";
 
 // The true state between two steps, at `time`. tau, forces and crane_tension acted during the step
 // before.
@@ -43,6 +44,8 @@ struct Truth {
   double nearest_obstacle = std::numeric_limits<double>::quiet_NaN();
   // N, in the order of robot::HandNames; empty in older recordings.
   std::vector<double> hand_force{};
+  // N, in the order of robot::PadNames; empty in older recordings.
+  std::vector<double> touch{};
 };
 
 // Where in qpos and qvel a free joint begins: that of the robot's base, or of an object.

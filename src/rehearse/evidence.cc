@@ -28,6 +28,7 @@ signals::TruthView ViewOf(const record::Truth& truth, const record::BaseAddress&
           .tau = truth.tau,
           .foot_force = truth.foot_force,
           .hand_force = truth.hand_force,
+          .touch = truth.touch,
           .crane_tension = truth.crane_tension,
           .nearest_obstacle = truth.nearest_obstacle};
 }

@@ -6,7 +6,7 @@
 
 #include "base/nearest_word.h"
 #include "base/printed.h"
-#include "robot/hand_law.h"
+#include "robot/hand_links.h"
 
 namespace understudy::robot {
 namespace {
@@ -23,18 +23,6 @@ std::uint64_t Mixed(std::uint64_t x) {
 }
 
 std::string Number(double number) { return Printed("%g", number); }
-
-// Which of the topics are a hand's.
-std::vector<std::size_t> LinksOf(const HandSpec& hand, const std::vector<std::string>& links) {
-  std::vector<std::size_t> own;
-  for (const char* word : {"cmd", "ctrl", "state", "touch"}) {
-    const std::string topic = HandTopic(hand, word);
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      if (links[i] == topic || links[i] == "rt/lf" + topic.substr(2)) own.push_back(i);
-    }
-  }
-  return own;
-}
 
 }  // namespace
 
@@ -80,7 +68,7 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
   }
   for (std::size_t i = 0; i < spec.hands.size(); ++i) {
     Add(Component::kHand, i, "hand." + spec.hands[i].name);
-    hand_links_.push_back(LinksOf(spec.hands[i], links));
+    hand_links_.push_back(HandLinks(spec.hands[i], links));
   }
   faults_.reserve(kMost);
   begun_.reserve(kMost);

@@ -18,6 +18,7 @@
 #include "mjcf/urdf.h"
 #include "physics/world_reading.h"
 #include "robot/hand_law.h"
+#include "robot/pads.h"
 #include "version.h"
 
 namespace understudy::run {
@@ -142,8 +143,9 @@ std::optional<record::RosRobot> RosRobotOf(const config::Config& config, std::si
   }
 }
 
-// Makes the truth of a robot; sizes do not change during a run.
-void Fill(const emulator::World& world, std::size_t number, record::Truth* truth) {
+// Makes the truth of a robot; sizes do not change during a run. `cells` is of its pads.
+void Fill(const emulator::World& world, std::size_t number, std::span<float> cells,
+          record::Truth* truth) {
   const emulator::Robot& robot = world.robot(number);
   const physics::Crane& crane = robot.crane();
   truth->step = world.step();
@@ -153,6 +155,8 @@ void Fill(const emulator::World& world, std::size_t number, record::Truth* truth
   truth->tau.assign(robot.torque().begin(), robot.torque().end());
   world.physics().robot(number).FootForces(truth->foot_force);
   world.physics().robot(number).HandForces(truth->hand_force);
+  world.physics().robot(number).ReadTouch(cells);
+  robot::StrongestCells(robot.spec(), cells, truth->touch);
   truth->crane_tension = crane.attached() ? crane.tension() : 0;
 }
 
@@ -162,7 +166,8 @@ record::Moment Prototype(const robot::RobotSpec& spec, const emulator::World& wo
                     .qvel = zeros(physics::RateCount(world.physics())),
                     .tau = zeros(robot::AllMotors(spec).size()),
                     .foot_force = zeros(spec.feet.size()),
-                    .hand_force = zeros(robot::HandNames(spec).size())}};
+                    .hand_force = zeros(robot::HandNames(spec).size()),
+                    .touch = zeros(robot::PadNames(spec).size())}};
 }
 
 }  // namespace
@@ -187,6 +192,7 @@ Recording::Recording(const RecordingOptions& options, std::size_t robot,
       audience_(options.audience),
       head_(HeadOf(config, robot, draws, *world)),
       moment_(Prototype(config.robots[robot].spec, *world)),
+      cells_(robot::CellsOf(config.robots[robot].spec)),
       every_(std::max<std::int64_t>(
           1, std::llround(
                  1 / (config.robots[robot].spec.rates.lowstate_hz * config.physics.timestep)))),
@@ -325,7 +331,7 @@ void Recording::Offer() {
   recorder_->Mark(world_.step() - 1);
   if (world_.step() % every_ == 0) {
     if (record::Moment* moment = recorder_->Claim(); moment != nullptr) {
-      Fill(world_, robot_, &moment->truth);
+      Fill(world_, robot_, cells_, &moment->truth);
       if (obstacles_) {
         moment->truth.nearest_obstacle =
             obstacles_->Measure(world_.step(), world_.physics().data());

@@ -100,6 +100,7 @@ class Recording final : public Attachment {
   record::Audience* audience_;
   record::RecordingHead head_;  // but for configuration and model
   record::Moment moment_;
+  std::vector<float> cells_;  // of the robot's pads
   std::optional<perception::NearestObstacle> obstacles_;
   std::int64_t every_;           // steps from one LowState to the next
   std::int64_t sheet_every_;     // steps from one damage sheet to the next

@@ -7,6 +7,7 @@
 #include "emulator/world.h"
 #include "judge/condition.h"
 #include "robot/hand_law.h"
+#include "robot/pads.h"
 
 namespace understudy::signals {
 namespace {
@@ -33,6 +34,8 @@ ConditionWatch::ConditionWatch(signals::Conditions conditions, const emulator::W
     if (!signal.object.empty()) slot.object = world.physics().FindObject(signal.object);
     measured_[signal.robot].foot_force.resize(robot.spec().feet.size());
     measured_[signal.robot].hand_force.resize(robot::HandNames(robot.spec()).size());
+    measured_[signal.robot].touch.resize(robot::PadNames(robot.spec()).size());
+    measured_[signal.robot].cells.resize(robot::CellsOf(robot.spec()));
     values_.push_back(
         signal.of_one_instant() || signal.source == Source::kEventCount ? 0 : judge::kUnknown);
     slot.word = judge::WordNumber(signal.printed);
@@ -126,11 +129,14 @@ void ConditionWatch::Measure(const emulator::World& world) {
     const physics::RobotBody& body = world.physics().robot(i);
     body.FootForces(of.foot_force);
     body.HandForces(of.hand_force);
+    body.ReadTouch(of.cells);
+    robot::StrongestCells(robot.spec(), of.cells, of.touch);
     of.truth = {.base_position = body.base_position(),
                 .base_velocity = body.base_velocity(),
                 .tau = robot.torque(),
                 .foot_force = of.foot_force,
                 .hand_force = of.hand_force,
+                .touch = of.touch,
                 .crane_tension = robot.crane().attached() ? robot.crane().tension() : 0};
     if (of.obstacles) {
       of.truth.nearest_obstacle = of.obstacles->Measure(world.step(), world.physics().data());

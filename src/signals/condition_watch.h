@@ -50,7 +50,8 @@ class ConditionWatch final : public emulator::ScriptConditions {
   // What conditions ask of a robot's truth.
   struct Measured {
     bool asked = false;
-    std::vector<double> foot_force, hand_force;
+    std::vector<double> foot_force, hand_force, touch;
+    std::vector<float> cells;
     TruthView truth;
     std::optional<perception::NearestObstacle> obstacles;  // where they are asked for
   };

@@ -16,11 +16,11 @@ namespace understudy::signals {
 // events have fields.
 struct SignalRow {
   std::string_view word;      // "base.height"; of one with an argument what stands before it
-  std::string_view argument;  // "", JOINT, FOOT, HAND, OBJECT, TOPIC or EVENT
+  std::string_view argument;  // "", JOINT, FOOT, HAND, PAD, OBJECT, TOPIC or EVENT
   std::string_view unit;
   Signal::Source source;
   std::string_view says;
-  // kTruth: its value; `index` is that of the joint, foot or hand.
+  // kTruth: its value; `index` is that of the joint, foot, hand or pad.
   double (*of)(const TruthView& truth, std::size_t index) = nullptr;
   // kField: its value in the sample of which the message is made.
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;

@@ -1,6 +1,7 @@
 #include "signals/signals.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/nearest_word.h"
@@ -8,6 +9,7 @@
 #include "emulator/request.h"
 #include "robot/command_topics.h"
 #include "robot/hand_law.h"
+#include "robot/pads.h"
 #include "services/api_names.h"
 #include "signals/signal_rows.h"
 #include "wire/robot_topics.h"
@@ -85,7 +87,17 @@ Result<std::size_t> FindJoint(const std::string& joint, const Names& names) {
   return static_cast<std::size_t>(found - names.joints.begin());
 }
 
-// Finds the place of a foot or hand among those of the robot.
+// Parts of a robot by which signals are asked for.
+struct PartRow {
+  std::string_view argument;
+  const char* what;
+  std::vector<std::string> Names::*known;
+};
+constexpr PartRow kParts[] = {{"FOOT", "foot", &Names::feet},
+                              {"HAND", "hand", &Names::hands},
+                              {"PAD", "pad of a hand", &Names::pads}};
+
+// Finds the place of a part among those of the robot.
 Result<std::size_t> FindPart(const std::string& what, const std::string& name,
                              const std::vector<std::string>& known, const Names& names) {
   if (names.any_robot) return std::size_t{0};
@@ -193,10 +205,9 @@ Result<Signal> OfRow(const SignalRow& row, const std::string& argument, Signal s
     return EventValue(std::move(signal), std::string(row.topic), std::string(row.field));
   }
   if (row.argument == "EVENT") return EventNumber(std::move(signal), row.source, argument);
-  if (row.argument == "FOOT" || row.argument == "HAND") {
-    const bool foot = row.argument == "FOOT";
-    const auto part =
-        FindPart(foot ? "foot" : "hand", argument, foot ? names.feet : names.hands, names);
+  const auto kind = std::ranges::find(kParts, row.argument, &PartRow::argument);
+  if (kind != std::end(kParts)) {
+    const auto part = FindPart(kind->what, argument, names.*kind->known, names);
     if (!part) return part.error();
     signal.index = *part;
   }
@@ -273,6 +284,7 @@ Names RunningNames(const robot::RobotSpec& spec) {
   for (const robot::MotorSpec& motor : spec.motors) names.slots.push_back(motor.slot);
   for (const robot::FootSpec& foot : spec.feet) names.feet.push_back(foot.name);
   names.hands = robot::HandNames(spec);
+  names.pads = robot::PadNames(spec);
   for (const std::string& topic : robot::CommandTopicNames(spec)) {
     if (!topic.empty()) names.topics.emplace(topic, "");
   }

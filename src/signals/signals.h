@@ -25,6 +25,7 @@ struct TruthView {
   std::span<const double> tau;                // N·m at the joints, in motor order
   std::span<const double> foot_force;         // N, in the order of robot.feet
   std::span<const double> hand_force;         // N, in the order of robot::HandNames
+  std::span<const double> touch;              // N, in the order of robot::PadNames
   double crane_tension = 0;                   // N
   double nearest_obstacle = judge::kUnknown;  // m
 };
@@ -50,6 +51,7 @@ struct Names {
   bool hg = false;                      // of that family
   std::vector<std::string> feet{};
   std::vector<std::string> hands{};             // robot::HandNames
+  std::vector<std::string> pads{};              // robot::PadNames
   std::vector<std::string> objects{};           // of the scene, that move
   std::map<std::string, std::string> topics{};  // type on the wire by name, as far as known
   // Null: of a running robot, which knows messages as it has them itself: those that it hears by

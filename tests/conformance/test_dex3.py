@@ -44,3 +44,11 @@ def test_no_command_of_the_grip_is_refused(grip):
     for hand in grip.hands:
         assert hand["accepted"] > 0
         assert hand["timeouts"] == 1
+
+
+def test_a_hand_says_nothing_while_its_program_is_switched_off(rehearse):
+    report = rehearse(ROBOT, "dex3_service.py", options=("--start", "clamped")).report
+
+    assert report["codes"] == [0, 0]
+    assert report["off"]["left"] == 0
+    assert min(report["off"]["right"], *report["on"].values()) > 100

@@ -168,6 +168,25 @@ TEST_F(HandsTest, OfAServiceBrakeWhileItsProgramIsDeadAndAreLockedWhenItComesBac
                                    testing::HasSubstr("hand.neck is no longer off")));
 }
 
+TEST_F(HandsTest, HearNothingWhileRobotStateHasTheirProgramSwitchedOff) {
+  robot::RobotSpec& spec = config_.robots[0].spec;
+  spec.hands[0].name = "left";
+  spec.services = {{.name = "dex3_service_l"}, {.name = "dex3_service_r"}};
+  StartAs("clamped");
+  const auto hears_after = [this](const char* program, bool on) {
+    services_.Call([=](authority::MotorOwner* owner) { owner->Switch(program, on); });
+    Tick(2);
+    const std::uint64_t before = world_->status(0).hands[0].commands.accepted;
+    port_.SendHand(0, Reach(0.5, 0.5));
+    Tick(2);
+    return world_->status(0).hands[0].commands.accepted > before;
+  };
+  EXPECT_TRUE(hears_after("dex3_service_r", false)) << "the program of the other hand";
+  EXPECT_FALSE(hears_after("dex3_service_l", false));
+  EXPECT_TRUE(Reading(kPitch).enabled) << "it holds";
+  EXPECT_TRUE(hears_after("dex3_service_l", true));
+}
+
 TEST_F(HandsTest, AreLockedAgainAfterAReset) {
   port_.SendHand(0, Reach(0.5, 0.5));
   Tick(500);

@@ -22,7 +22,8 @@ TEST(TruthTest, IsReadAsItWasWritten) {
                .foot_force = {5, 6},
                .crane_tension = 8,
                .nearest_obstacle = 0.9,
-               .hand_force = {10, 11}},
+               .hand_force = {10, 11},
+               .touch = {12, 13}},
               &out);
   const Truth truth = DecodeTruth(out.span());
   EXPECT_EQ(truth.step, 7);
@@ -34,18 +35,21 @@ TEST(TruthTest, IsReadAsItWasWritten) {
   EXPECT_EQ(truth.crane_tension, 8);
   EXPECT_EQ(truth.nearest_obstacle, 0.9);
   EXPECT_THAT(truth.hand_force, ElementsAre(10, 11));
+  EXPECT_THAT(truth.touch, ElementsAre(12, 13));
 }
 
-// What was added since stands at the end: the nearest obstacle, then an empty list of hands.
-constexpr std::size_t kHands = 4, kObstacle = 8;
+// What was added since stands at the end: the nearest obstacle, then empty lists of hands and
+// of pads.
+constexpr std::size_t kPads = 4, kHands = 4, kObstacle = 8;
 
 TEST(TruthTest, HasNoNearestObstacleAndNoHandsInOlderRecordings) {
   BytesOut out;
   EncodeTruth({.step = 7, .crane_tension = 8, .nearest_obstacle = 0.9}, &out);
-  const Truth older = DecodeTruth(out.span().first(out.size() - kHands));
+  EXPECT_THAT(DecodeTruth(out.span().first(out.size() - kPads)).touch, IsEmpty());
+  const Truth older = DecodeTruth(out.span().first(out.size() - kPads - kHands));
   EXPECT_EQ(older.nearest_obstacle, 0.9);
   EXPECT_THAT(older.hand_force, IsEmpty());
-  const Truth oldest = DecodeTruth(out.span().first(out.size() - kHands - kObstacle));
+  const Truth oldest = DecodeTruth(out.span().first(out.size() - kPads - kHands - kObstacle));
   EXPECT_EQ(oldest.crane_tension, 8);
   EXPECT_TRUE(std::isnan(oldest.nearest_obstacle));
   EXPECT_THAT(oldest.hand_force, IsEmpty());
@@ -55,17 +59,17 @@ TEST(TruthTest, IsCdr) {
   BytesOut out;
   EncodeTruth({.step = 1, .qpos = {2}}, &out);
   // Head, step, time, count of qpos and its number 8 bytes on, three empty sequences, tension,
-  // obstacle, an empty sequence.
-  EXPECT_EQ(out.size(), 4 + 8 + 8 + 4 + 4 + 8 + 3 * 4 + 4 + 8 + 8 + 4);
+  // obstacle, two empty sequences.
+  EXPECT_EQ(out.size(), 4 + 8 + 8 + 4 + 4 + 8 + 3 * 4 + 4 + 8 + 8 + 2 * 4);
   EXPECT_EQ(TextOf(out.span().first(8)), std::string("\0\1\0\0\1\0\0\0", 8));
 }
 
 TEST(TruthTest, RefusesEveryPartOfIt) {
   BytesOut out;
   EncodeTruth({.step = 1, .qpos = {2, 3}, .tau = {4}}, &out);
-  const std::size_t older = out.size() - kHands, oldest = older - kObstacle;
+  const std::size_t old = out.size() - kPads, older = old - kHands, oldest = older - kObstacle;
   for (std::size_t size = 0; size < out.size(); ++size) {
-    if (size == older || size == oldest) continue;
+    if (size == old || size == older || size == oldest) continue;
     EXPECT_THROW(DecodeTruth(out.span().first(size)), RecordError) << size;
   }
 }

@@ -35,6 +35,7 @@ TEST(EvidenceTest, ReadsTheTruth) {
   EXPECT_EQ(ValueOf("foot_force(right) > 0", kLean), 70);
   EXPECT_EQ(ValueOf("feet.force > 0", kLean), 120);
   EXPECT_EQ(ValueOf("hand_force(right) > 0", kLean), 7);
+  EXPECT_EQ(ValueOf("touch(right_tip) > 0", kLean), 0.5);
 }
 
 TEST(EvidenceTest, ReadsWhereObjectsAre) {
@@ -199,6 +200,16 @@ TEST(EvidenceTest, DoesNotJudgeByHandsThatAnOlderRecordingLacks) {
   jury.Finish();
   EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
   EXPECT_THAT(jury.WhyNot(0), HasSubstr("hand_force(left) is not in this recording"));
+}
+
+TEST(EvidenceTest, DoesNotJudgeByPadsThatAnOlderRecordingLacks) {
+  const Expectations expect = ReadExpect("[{always: touch(left_tip) > 0}]");
+  Jury jury(expect);
+  Stage stage(jury.Hearing(0));
+  stage.Joints(1, std::vector<double>(8), {0, 2});
+  jury.Finish();
+  EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
+  EXPECT_THAT(jury.WhyNot(0), HasSubstr("touch(left_tip) is not in this recording"));
 }
 
 TEST(EvidenceTest, DoesNotJudgeByTheBaseOfARobotWhoseBaseIsFixed) {

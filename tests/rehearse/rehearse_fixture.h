@@ -26,6 +26,7 @@ inline Names TinyNames() {
           .torque_limits = {20, 40},
           .feet = {"left", "right"},
           .hands = {"left", "right"},
+          .pads = {"left_tip", "right_tip"},
           .objects = {"cube", "cup"},
           .topics = {{"rt/lowcmd", "unitree_go::msg::dds_::LowCmd_"},
                      {"rt/lowstate", "unitree_go::msg::dds_::LowState_"}},
@@ -49,7 +50,8 @@ class Stage {
                         .qvel = {3, 4, 0, 0, 0, 0, 0, 0},
                         .tau = {10, -20},
                         .foot_force = {50, 70},
-                        .hand_force = {5, 7}};
+                        .hand_force = {5, 7},
+                        .touch = {0.25, 0.5}};
     Tell(truth);
   }
   // An object at a place [m], turned about x by `roll` [rad], beside a fixed base. The recording

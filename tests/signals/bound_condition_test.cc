@@ -101,8 +101,26 @@ TEST(BoundConditionTest, ARobotHasTwoHandsAlsoWhereTheyShareMessages) {
   }
 }
 
+TEST(BoundConditionTest, PadsHaveTheNamesOfTheirSites) {
+  const auto why_not = [](const std::string& make, const std::string& text) {
+    return WhyNot(
+        text, RunningNames(config::LoadConfig({.robot = "g1", .sets = {"robot.hand_make=" + make}},
+                                              UNDERSTUDY_SOURCE_DIR)
+                               .robots[0]
+                               .spec));
+  };
+  EXPECT_EQ(why_not("inspire_ftp", "touch(left_index_tip) > 1 and touch(right_palm) > 1"), "");
+  EXPECT_EQ(why_not("dex3", "touch(left_hand_palm_2) > 1"), "");
+  EXPECT_THAT(why_not("inspire_ftp", "touch(left_indx_tip) > 1"),
+              testing::HasSubstr("no pad of a hand 'left_indx_tip'; did you mean"));
+  EXPECT_THAT(why_not("brainco", "touch(left_index_tip) > 1"),
+              testing::HasSubstr("no pad of a hand 'left_index_tip': this robot has none"));
+}
+
 TEST(BoundConditionTest, ForAnyRobotEachJointFootAndHandWillDoAndNoTopicThatNoneHears) {
-  EXPECT_EQ(WhyNot("q(tail) > 1 and foot_force(paw) > 1 and hand_force(claw) > 1", RunningNames()),
+  EXPECT_EQ(WhyNot("q(tail) > 1 and foot_force(paw) > 1 and hand_force(claw) > 1 and "
+                   "touch(nail) > 1",
+                   RunningNames()),
             "");
   EXPECT_EQ(WhyNot("dex3/left/cmd arrives", RunningNames()), "");
   EXPECT_THAT(WhyNot("lowcmt arrives", RunningNames()), testing::HasSubstr("'rt/lowcmd'"));

@@ -90,6 +90,16 @@ TEST_F(ConditionWatchTest, KnowsHowOftenCommandsComeOnceASecondHasPassed) {
   EXPECT_EQ(Came(*world_)[0], ticks + 1 + every);
 }
 
+TEST_F(ConditionWatchTest, KnowsWhatAPadFeels) {
+  config_.robots[0].spec = test::FixtureRobotWithHand();
+  config_.robots[0].spec.hands[0].pads = {{.site = ""}, {.site = "belly"}};  // under the trunk
+  config_.robots[0].spec.hands[0].touch.spread = 0.05;
+  StartAs("hanging");
+  EXPECT_EQ(When("touch(belly) > 0"), -1);
+  StartAs("lying");
+  EXPECT_GE(When("touch(belly) > 1", 500), 0);
+}
+
 TEST_F(ConditionWatchTest, KnowsHowFarTheFirstTakenAnglesAreFromTheJoints) {
   StartAs("standing");
   Play("[{when: first_jump between 0.2999 and 0.3001, clamp: on}]");

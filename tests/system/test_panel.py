@@ -330,3 +330,10 @@ def test_the_list_of_robots_leads_to_the_panel_of_another(play, visit, tmp_path)
     page.becomes(f"location.port !== '{here}' && window.panel?.view.placed"
                  " && document.getElementById('robots').selectedOptions[0]?.text === 'right'")
     assert "G1" in page.text("#robot").upper()
+
+
+def test_what_presses_on_each_hand_stands_with_the_sensors(play, visit):
+    page = visit(url_of(play("g1", "--hands", "left:dex1,right:inspire", "--start", "clamped")))
+
+    page.becomes("/^hands left [0-9.]+ right [0-9.]+ N$/.test([...document.querySelectorAll('#sensor-rows tr')]"
+                 ".at(-1)?.innerText.replace(/\\s+/g, ' ').trim())")

@@ -233,6 +233,7 @@ function showEvent(event) {
 
 function showStatus(status) {
   if (!replaying) bar.showStatus(status);
+  if (!replaying) sensors.showHands(status.hand_force);
   chords.showStatus(status);
   rig.show(status);
   lowering.show(status);

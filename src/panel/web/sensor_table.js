@@ -1,4 +1,5 @@
-// What the robot senses besides its motors: inertial units, battery, feet.
+// What the robot senses besides its motors: inertial units, battery, feet; and
+// what presses on its hands.
 import { byId, element, number, setClass, setText } from "./dom.js";
 import { rollPitchYaw } from "./signals.js";
 
@@ -43,28 +44,47 @@ export class SensorTable {
   constructor(onPick) {
     this.onPick = onPick;
     this.rows = [];
+    this.hands = { names: "", cells: [] };
   }
 
   setSensors(scene, snapshot) {
-    const widest = Math.max(3, snapshot.feet.length);
-    const cell = (label, after) => {
-      const value = element("span", { class: "value" });
-      const mark = element("small", { class: "muted", text: label });
-      const node = element("td", { class: "num" }, ...(after ? [value, " ", mark] : [mark, " ", value]));
-      return { value, node };
-    };
+    this.widest = Math.max(3, snapshot.feet.length);
+    this.hands = { names: "", cells: [] };
     this.rows = rowsOf(scene, snapshot).map((row) => {
       const pick = element("button", { type: "button", class: "quiet name", text: row.name,
                                        title: `plot ${row.plot.join(", ")}` });
       pick.addEventListener("click", () => this.onPick(row.plot));
-      const cells = row.labels.map((label) => cell(label, row.unit === ""));
-      const rest = Array.from({ length: widest - cells.length }, () => element("td"));
-      const node = element("tr", {}, element("th", { scope: "row" }, pick),
-                           ...cells.map((one) => one.node), ...rest,
-                           element("td", { class: "muted", text: row.unit }));
-      return { ...row, cells, node };
+      return { ...row, ...this.makeRow(pick, row.labels, row.unit) };
     });
     byId("sensor-rows").replaceChildren(...this.rows.map(({ node }) => node));
+  }
+
+  // A row of a cell for each label, which stands behind its value where `unit` is "".
+  makeRow(name, labels, unit) {
+    const cells = labels.map((label) => {
+      const value = element("span", { class: "value" });
+      const mark = element("small", { class: "muted", text: label });
+      const parts = unit === "" ? [value, " ", mark] : [mark, " ", value];
+      return { value, node: element("td", { class: "num" }, ...parts) };
+    });
+    const rest = Array.from({ length: this.widest - cells.length }, () => element("td"));
+    const node = element("tr", {}, element("th", { scope: "row" }, name), ...cells.map((one) => one.node),
+                         ...rest, element("td", { class: "muted", text: unit }));
+    return { cells, node };
+  }
+
+  // force: N by hand, as `hand_force` of the status; {} of a robot without hands.
+  showHands(force) {
+    if (!this.rows.length) return;
+    const names = Object.keys(force);
+    if (this.hands.names !== names.join()) {
+      this.hands.node?.remove();
+      this.hands = { names: names.join(), cells: [] };
+      if (!names.length) return;
+      Object.assign(this.hands, this.makeRow("hands", names, "N"));
+      byId("sensor-rows").append(this.hands.node);
+    }
+    names.forEach((name, i) => setText(this.hands.cells[i].value, number(force[name], 1)));
   }
 
   show(snapshot) {

@@ -74,6 +74,16 @@ TEST_F(HumanoidWalkTest, AG1WalksAsFastAsItIsCommanded) {
   }
 }
 
+TEST_F(HumanoidWalkTest, AG1WalksWithEachPairOfItsHands) {
+  const std::vector<std::string> makes = ConfigOf("g1").robots[0].spec.hand_makes;
+  ASSERT_FALSE(makes.empty());
+  for (const std::string& make : makes) {
+    Walker g1("g1", {"robot.hand_make=" + make});
+    EXPECT_TRUE(g1.Walk({0.3, 0, 0}, 10)) << make;
+    EXPECT_GT(g1.world().robot().base().p_WB.x(), 2.4) << make;
+  }
+}
+
 TEST_F(HumanoidWalkTest, KeepsToTheFiguresOfItsSteps) {
   const std::string steps = "robot.motion.humanoid.steps.";
   Walker slow("g1",
