@@ -39,6 +39,18 @@ class Crouch(understudy.envs.WalkVectorEnv):
         return {"low": np.exp(-np.square((self.batch.truth["position"][:, 2] - 0.22) / 0.05))}
 
 
+def test_a_robot_that_walks_is_pushed_harder(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(TRAIN.parent)
+    import train as program
+
+    monkeypatch.setattr(program, "HARDER", 500)
+    envs, learner = Crouch(Crouch.TASK, 16), program.Learner(45, 12, seed=2)
+    program.train(tmp_path, envs, learner, lambda: learner.iteration == 1)
+    assert envs.task.push == 15
+    program.train(tmp_path, envs, learner, lambda: learner.iteration == 3)
+    assert learner.samples > 500 and envs.task.push == 20
+
+
 def test_the_reward_rises_and_the_policy_is_deployed_by_the_same_definition(tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(TRAIN.parent)
     from train import Learner, train as train_in_process
