@@ -90,7 +90,9 @@ TEST_F(VoxelMapperTest, EmptiesWhatIsNotSeenAgain) {
   for (int cloud = 0; cloud < 100; ++cloud) {
     mapper_.Begin({0, 0});
     mapper_.Add({1, 1, 0.5});
-    if (cloud == 30) EXPECT_TRUE(At(1, 0, 0.5)) << "two seconds later";
+    if (cloud == 30) {
+      EXPECT_TRUE(At(1, 0, 0.5)) << "two seconds later";
+    }
   }
   EXPECT_FALSE(At(1, 0, 0.5));
   EXPECT_TRUE(At(1, 1, 0.5));

@@ -146,10 +146,10 @@ std::vector<Figure> Measure(const Kind& kind, const BatchEffort& effort) {
   };
   const auto bounded = [&figure](const char* name, const char* unit, double value, double bound,
                                  Wanted wanted) {
-    Figure made = figure(name, unit, value);
-    made.bound = bound;
-    made.wanted = wanted;
-    return made;
+    Figure limited = figure(name, unit, value);
+    limited.bound = bound;
+    limited.wanted = wanted;
+    return limited;
   };
   std::vector<Figure> figures = {
       figure("bare MuJoCo, steps per s of CPU", "", Median(bares)),
