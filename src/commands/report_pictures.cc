@@ -32,6 +32,7 @@ constexpr char kSize[] = "480x300";
 struct Instant {
   double at = 0;          // s
   std::size_t robot = 0;  // its number
+  bool first = false;     // of the first expectation that failed, or of the first
 };
 
 // The instants that decided, each once, ascending.
@@ -48,7 +49,8 @@ std::vector<Instant> InstantsOf(const rehearse::Expectations& expect,
       });
       if (known || instants.size() == kMostPictures) continue;
       const std::size_t signal = expect.list[i].signals.front();
-      instants.push_back({.at = at, .robot = expect.signals[signal].robot});
+      instants.push_back(
+          {.at = at, .robot = expect.signals[signal].robot, .first = instants.empty()});
     }
   }
   std::ranges::sort(instants, std::ranges::less(), &Instant::at);
@@ -123,12 +125,12 @@ rehearse::Pictures DrawPictures(const rehearse::Expectations& expect,
                                 const std::vector<fs::path>& recordings, const fs::path& folder) {
   rehearse::Pictures pictures;
   Painter painter(folder);
-  for (const auto& [when, robot] : InstantsOf(expect, judged)) {
+  for (const auto& [when, robot, first] : InstantsOf(expect, judged)) {
     const double at = std::min(when, judged.end);
     const fs::path& recording = recordings[robot];
     const config::RobotConfig& of = config.robots[robot];
     rehearse::Pictures::Picture picture{.at = when, .png = painter.Draw(recording, at)};
-    if (!of.spec.cameras.empty()) {
+    if (first && !of.spec.cameras.empty()) {  // a picture takes a second
       picture.camera = of.spec.cameras.front().name;
       picture.seen_png = painter.Draw(recording, at, picture.camera);
     }

@@ -7,8 +7,7 @@
 
 namespace understudy::emulator {
 
-// The readings of motors, units, feet, battery, base, remote controller and motion service, one
-// after the other and without padding. Touch, board, odometry and truth are not among them.
+// All readings, one after the other and without padding.
 std::string Bytes(const robot::RobotState& state);
 
 }  // namespace understudy::emulator
