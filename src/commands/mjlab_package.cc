@@ -177,7 +177,7 @@ std::string DefinitionFor(const robot::RobotSpec& spec, const std::filesystem::p
   std::string text = file.empty() ? OwnDefinition(spec) : FileText(file);
   std::vector<policy::MotorName> motors;
   for (const robot::MotorSpec& motor : spec.motors) motors.push_back({motor.joint, motor.slot});
-  policy::Interpreter(
+  const policy::Interpreter fits(  // or throws
       file.empty() ? policy::ParseDefinition(text, "deploy.yaml") : policy::ReadDefinition(file),
       motors, spec.name);
   return text;
