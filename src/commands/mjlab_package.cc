@@ -40,12 +40,25 @@ std::string NameOf(const mjModel& model, int type, int id) {
   return name == nullptr ? "" : name;
 }
 
+constexpr char kFigures[] = "figures.json";
+
 bool IsPackageName(const std::string& name) {
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
   return !name.empty() && is_letter(name[0]) &&
          std::ranges::all_of(name, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+}
+
+// Nothing of somebody else's is replaced.
+void CheckIsOurs(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder, ignored) || std::filesystem::is_empty(folder, ignored) ||
+      std::filesystem::exists(folder / kFigures, ignored)) {
+    return;
+  }
+  throw RecordError("--out " + folder.string() +
+                    ": expected a new folder, or one that export mjlab has written");
 }
 
 void CheckWalks(const robot::RobotSpec& spec) {
@@ -66,10 +79,11 @@ nlohmann::json MotorFigures(const robot::RobotSpec& spec) {
     motors.push_back({{"joint", motor.joint},
                       {"slot", motor.slot},
                       {"type", motor.type},
-                      {"torque_limit", motor.torque_limit},
+                      {"torque_limit", motor.torque_limit * motor.strength},
                       {"knee_speed", motor.knee_speed},
                       {"no_load_speed", motor.no_load_speed},
-                      {"kd_share", shares[i]}});
+                      {"kp_share", motor.kp_scale * motor.strength},
+                      {"kd_share", shares[i] * motor.kd_scale * motor.strength}});
   }
   return motors;
 }
@@ -193,6 +207,7 @@ std::vector<std::string> WriteMjlabPackage(config::Config config,
     throw ConfigError("--out " + folder.string() +
                       ": expected the name of a Python package, such as my_robot");
   }
+  CheckIsOurs(path);
   CheckWalks(config.robots[0].spec);
   // mjlab draws anew for each of its worlds: the model has none of it.
   const robot::RandomizationSpec drawn = std::exchange(config.randomization, {});
@@ -203,7 +218,7 @@ std::vector<std::string> WriteMjlabPackage(config::Config config,
   const std::string deploy = DefinitionFor(robot.spec, definition);
   MakeFolder(path);
   WriteFile(path / "robot.xml", mjcf::SaveModel(model, physics::kClampName).xml);
-  WriteFile(path / "figures.json", Figures(robot, drawn, model).dump(1) + "\n");
+  WriteFile(path / kFigures, Figures(robot, drawn, model).dump(1) + "\n");
   WriteFile(path / "deploy.yaml", deploy);
   for (const char* const file : {"__init__.py", "task.py", "__main__.py"}) {
     WriteFile(path / file, FileText(config::DataDir() / "config/export/mjlab" / file));

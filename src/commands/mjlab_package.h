@@ -14,7 +14,8 @@ namespace understudy::commands {
 // or, if that is empty, one of the robot's own gains and pose; and the code that makes a task of
 // them (config/export/mjlab). Returns the draws that mjlab does not play, by their keys.
 //
-// Throws ModelError, SetupError where a file cannot be written, and ConfigError if the folder's
+// Throws ModelError, SetupError where a file cannot be written, RecordError where the folder has
+// something else, and ConfigError if the folder's
 // name is none of a package, the robot does not walk on feet, or the definition does not fit it.
 std::vector<std::string> WriteMjlabPackage(config::Config config,
                                            const std::filesystem::path& folder,

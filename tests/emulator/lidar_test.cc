@@ -34,6 +34,14 @@ class LidarTest : public test::MujocoTest {
   // A Go2 that stands.
   LidarTest() { Start({}); }
 
+  // On flat ground, with a geom in MJCF.
+  void StartBefore(const std::string& geom) {
+    const test::TemporaryFolder folder;
+    const std::string scene =
+        "<mujoco><worldbody><geom type=\"plane\" size=\"0 0 1\"/>" + geom + "</worldbody></mujoco>";
+    Start({"scene=" + folder.Write("scene.xml", scene).string()});
+  }
+
   void Start(std::vector<std::string> sets, const std::string& robot = "go2") {
     world_.reset();
     port_ = std::make_unique<test::FakePort>();
@@ -183,12 +191,7 @@ TEST_F(LidarTest, MapsTheGroundAtItsHeight) {
 }
 
 TEST_F(LidarTest, FillsTheVoxelsOfTheGroundAndOfABoxWhereTheyAre) {
-  const test::TemporaryFolder folder;
-  Start({"scene=" + folder
-                        .Write("box.xml", R"(<mujoco><worldbody>
-      <geom type="plane" size="0 0 1"/><geom type="box" size="0.2 0.3 0.2" pos="1.1 0.4 0.2"/>
-      </worldbody></mujoco>)")
-                        .string()});
+  StartBefore(R"(<geom type="box" size="0.2 0.3 0.2" pos="1.1 0.4 0.2"/>)");
   const robot::VoxelMap map = Second(Content::kVoxelMap).back().voxels;
   const auto is_full = [&map](double x, double y, double z) {
     const Eigen::Vector3d cell = (Eigen::Vector3d(x, y, z) - map.origin) / robot::VoxelMap::kCell;
@@ -212,12 +215,7 @@ TEST_F(LidarTest, FillsTheVoxelsOfTheGroundAndOfABoxWhereTheyAre) {
 }
 
 TEST_F(LidarTest, MeasuresHowFarAWallIs) {
-  const test::TemporaryFolder folder;
-  Start({"scene=" + folder
-                        .Write("wall.xml", R"(<mujoco><worldbody>
-      <geom type="plane" size="0 0 1"/><geom type="box" size="0.1 3 1" pos="1.3 0 1"/>
-      </worldbody></mujoco>)")
-                        .string()});
+  StartBefore(R"(<geom type="box" size="0.1 3 1" pos="1.3 0 1"/>)");
   const Eigen::Vector3d clear = Second(Content::kClearance).back().clear;
   EXPECT_NEAR(clear.x(), 1.2 - world_->world().physics().robot().base().p_WB.x(), 0.03);
   EXPECT_EQ(clear.y(), perception::Clearance::kFarthest);

@@ -126,4 +126,6 @@ def test_a_package_for_mjlab_has_the_definition_of_ones_policy(monkeypatch, tmp_
     assert (tmp_path / "go2_lab" / "deploy.yaml").read_text() == definition.read_text()
     assert package.motors()[2]["kp"] == 40 and package.motors()[2]["q"] == -1.5
     share = package.FIGURES["motors"][2]["kd_share"]
+    weak, _ = mjlab_package(monkeypatch, tmp_path, "go2", "--definition", definition, "--set", "robot.motors.2.kp_scale=0.5")
+    assert weak.motors()[2]["kp"] == 20 and weak.motors()[1]["kp"] == 20
     assert package.motors()[2]["kd"] == pytest.approx(2 * share)

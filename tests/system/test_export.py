@@ -73,6 +73,17 @@ def test_a_package_for_mjlab_is_refused_where_nothing_could_walk(understudy, tmp
     assert not (tmp_path / folder).exists()
 
 
+def test_a_package_for_mjlab_replaces_only_one_of_its_own(understudy, tmp_path):
+    mine = tmp_path / "mine"
+    mine.mkdir()
+    (mine / "__init__.py").write_text("mine = True\n")
+    done = understudy("export", "mjlab", "go2", "--out", mine)
+    assert done.returncode == 9 and "expected a new folder" in done.stderr, done.stderr
+    assert (mine / "__init__.py").read_text() == "mine = True\n" and len(list(mine.iterdir())) == 1
+    for _ in range(2):
+        assert understudy("export", "mjlab", "go2", "--out", tmp_path / "lab").returncode == 0
+
+
 def test_a_package_for_mjlab_takes_only_a_definition_that_fits(understudy, tmp_path):
     g1 = ROOT / "src" / "python" / "understudy" / "tasks" / "g1_flat.yaml"
     done = understudy("export", "mjlab", "go2", "--out", tmp_path / "lab", "--definition", g1)

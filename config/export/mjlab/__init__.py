@@ -17,6 +17,7 @@ import yaml
 
 FOLDER = pathlib.Path(__file__).parent
 FIGURES = json.loads((FOLDER / "figures.json").read_text())
+GAINS = {"kp": "stiffness", "kd": "damping"}  # of deploy.yaml, of which a share acts
 DEPLOY = yaml.safe_load((FOLDER / "deploy.yaml").read_text())
 
 
@@ -45,6 +46,6 @@ def motors():
     """Those of the policy in its order, with the gains [N·m/rad, N·m·s/rad] and the angle [rad] of deploy.yaml."""
     by_slot = {motor["slot"]: motor for motor in FIGURES["motors"]}
     return [
-        by_slot[slot] | {"kp": DEPLOY["stiffness"][slot], "kd": DEPLOY["damping"][slot] * by_slot[slot]["kd_share"], "q": q}
+        by_slot[slot] | {"q": q, **{key: DEPLOY[of][slot] * by_slot[slot][f"{key}_share"] for key, of in GAINS.items()}}
         for slot, q in zip(DEPLOY["joint_ids_map"], DEPLOY["default_joint_pos"])
     ]

@@ -138,12 +138,17 @@ def env_cfg(play=False):
     cfg.observations["actor"] = ObservationGroupCfg(terms=dict(observations()), concatenate_terms=True, enable_corruption=not play)
     action = cfg.actions["joint_pos"]
     (said,) = DEPLOY["actions"].values()
-    action.scale, action.offset, action.use_default_offset = by_joint(said["scale"]), by_joint(said["offset"]), False
+    scale, offset, clip = (said.get(key) for key in ("scale", "offset", "clip"))
+    action.scale = by_joint(1.0 if scale is None else scale)
+    action.offset, action.use_default_offset = by_joint(0.0 if offset is None else offset), False
+    if clip:
+        action.clip = {name: tuple(limits) for name, limits in by_joint(clip).items()}
     action.actuator_names, action.preserve_order = tuple(action.scale), True
 
-    ranges = DEPLOY["commands"]["base_velocity"]["ranges"]
-    twist = cfg.commands["twist"].ranges
-    twist.lin_vel_x, twist.lin_vel_y, twist.ang_vel_z = (tuple(ranges[k]) for k in ("lin_vel_x", "lin_vel_y", "ang_vel_z"))
+    commands = DEPLOY.get("commands") or {}
+    ranges, twist = commands.get("base_velocity", {}).get("ranges", {}), cfg.commands["twist"].ranges
+    for axis in ranges.keys() & {"lin_vel_x", "lin_vel_y", "ang_vel_z"}:
+        setattr(twist, axis, tuple(ranges[axis]))
     cfg.curriculum = {}
     cfg.terminations.pop("out_of_terrain_bounds")
     for name in ("foot_friction", "base_com", "encoder_bias"):

@@ -44,10 +44,10 @@ def ours(package, seconds):
     pose = {"q": [motor["q"] for motor in hold], "height": package.FIGURES["standing"]["height"]}
     sets = {"start.pose": "clamped", "motion.service": "none", "robot.hanging": pose}
     robot = understudy.Robot(package.FIGURES["robot"], set=sets)
-    kd = [motor["kd"] / motor["kd_share"] for motor in hold]
+    kp, kd = ([motor[key] / motor[f"{key}_share"] for motor in hold] for key in ("kp", "kd"))
     robot.request("clamp", on=False)
     for _ in range(round(seconds / package.DEPLOY["step_dt"])):
-        robot.command(q=[motor["q"] for motor in hold], kp=[motor["kp"] for motor in hold], kd=kd)
+        robot.command(q=[motor["q"] for motor in hold], kp=kp, kd=kd)
         robot.step(package.DEPLOY["step_dt"])
     q = dict(zip(robot.joints, robot.truth.q))
     return robot.truth.position[2], np.array([q[motor["joint"]] for motor in motors])
