@@ -146,6 +146,13 @@ constexpr EventRow Row(EventKind kind, std::string_view name, EventLevel level, 
   return {kind, name, level, bursts, fields, say, when};
 }
 
+constexpr EventRow WorldRow(EventKind kind, std::string_view name, EventLevel level, bool bursts,
+                            const std::array<EventField, 5>& fields,
+                            std::string (*say)(const Event& event, std::uint64_t count),
+                            std::string_view when) {
+  return {kind, name, level, bursts, fields, say, when, /*of_world=*/true};
+}
+
 constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kRefused, "refused", kWarning, true, {{{"reason", kReason}, {"topic", kText}}},
@@ -304,26 +311,26 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         SayProtection,
         "the motion service protects the robot from a danger of [robot.motion.protection]"
         "(reference/config.md), or no longer"),
-    Row(
+    WorldRow(
         EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
           return (On(e) ? "paused at " : "resumed at ") + Printed("%.3f", e.time) + " s";
         },
         "the robot is paused or resumed"),
-    Row(
+    WorldRow(
         EventKind::kSpeed, "speed", kInfo, false, {{{"speed", kNumber}}},
         [](const Event& e, std::uint64_t) {
           return "speed " + (On(e) ? Printed("%g", e.numbers[0]) : "as fast as possible");
         },
         "another speed is asked for"),
-    Row(
+    WorldRow(
         EventKind::kScript, "script", kSilent, false, {{{"event", kInteger}, {"where", kText}}},
         [](const Event& e, std::uint64_t) { return What(e); }, "a script's request is given"),
-    Row(
+    WorldRow(
         EventKind::kScriptRefused, "script_refused", kWarning, true, {{{"why", kText}}},
         [](const Event& e, std::uint64_t n) { return "script: " + What(e) + Times(n); },
         "a script's request is refused"),
-    Row(
+    WorldRow(
         EventKind::kScriptWait, "script_wait", kInfo, false,
         {{{"event", kInteger}, {"seconds", kNumber}, {"came", kBool}, {"condition", kText}}},
         [](const Event& e, std::uint64_t) {
@@ -333,7 +340,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
                      : "script: timed out after " + seconds + " waiting for '" + What(e) + "'";
         },
         "what a script waited for has come, or the script waits no longer"),
-    Row(
+    WorldRow(
         EventKind::kDivergence, "divergence", kError, true, {},
         [](const Event& e, std::uint64_t n) {
           return "the physics diverged at " + Printed("%.3f", e.time) + " s" + Times(n);
@@ -373,14 +380,14 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           return Plural(e.numbers[0], "message") + " could not be sent";
         },
         "the bus does not take messages"),
-    Row(
+    WorldRow(
         EventKind::kOverrun, "overrun", kSilent, true, {{{"worst", kWorst}}},
         [](const Event& e, std::uint64_t n) {
           return Plural(static_cast<double>(n), "tick") + " began late, the worst by " +
                  Printed("%.1f", e.numbers[0] * 1e3) + " ms";
         },
         "a tick begins more than one period late"),
-    Row(
+    WorldRow(
         EventKind::kStall, "stall", kWarning, true, {{{"seconds", kSum}}},
         [](const Event& e, std::uint64_t) {
           return "simulated time has fallen " + Printed("%.1f", e.numbers[0]) +
@@ -404,17 +411,17 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           {"calls", kSum},
           {"call", kText}}},
         SayCallRefusal, "a call of a service is refused or ignored"),
-    Row(
+    WorldRow(
         EventKind::kProgramStart, "program_start", kInfo, false, {{{"command", kText}}},
         [](const Event& e, std::uint64_t) { return "starting " + What(e); },
         "a rehearsal starts the program under test"),
-    Row(
+    WorldRow(
         EventKind::kProgramEnd, "program_end", kInfo, false, {{{"code", kInteger}}},
         [](const Event& e, std::uint64_t) {
           return "the program ended with exit code " + Printed("%.0f", e.numbers[0]);
         },
         "that program has ended: its exit code, 128 + n if signal n ended it"),
-    Row(
+    WorldRow(
         EventKind::kProgramPrints, "program_prints", kSilent, true, {{{"text", kText}}},
         [](const Event& e, std::uint64_t n) {
           return "the program prints \"" + What(e) + "\"" + Times(n);
@@ -430,7 +437,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kRecordingFailed, "recording_failed", kError, false, {{{"why", kText}}},
         [](const Event& e, std::uint64_t) { return "recording: " + What(e); },
         "a recording that was asked for cannot be made"),
-    Row(
+    WorldRow(
         EventKind::kLost, "lost", kWarning, true, {{{"events", kSum}}},
         [](const Event& e, std::uint64_t) {
           return Plural(e.numbers[0], "event") + " came too fast to be reported";
@@ -446,27 +453,6 @@ static_assert([] {
 }());
 
 }  // namespace
-
-bool IsOfWorld(EventKind kind) {
-  using enum EventKind;
-  switch (kind) {
-    case kPause:
-    case kSpeed:
-    case kScript:
-    case kScriptRefused:
-    case kScriptWait:
-    case kDivergence:
-    case kOverrun:
-    case kStall:
-    case kProgramStart:
-    case kProgramEnd:
-    case kProgramPrints:
-    case kLost:
-      return true;
-    default:
-      return false;
-  }
-}
 
 std::span<const EventRow, kEventKinds> EventTable() { return kRows; }
 

@@ -51,10 +51,8 @@ struct EventRow {
   std::array<EventField, 5> fields;
   std::string (*say)(const Event& event, std::uint64_t count);  // for people, without a full stop
   std::string_view when;                                        // it happens
+  bool of_world = false;                                        // and not of one of its robots
 };
-
-// Whether events of the kind are of the world and not of one of its robots.
-bool IsOfWorld(EventKind kind);
 
 std::span<const EventRow, kEventKinds> EventTable();
 const EventRow& RowOf(EventKind kind);

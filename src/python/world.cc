@@ -68,7 +68,8 @@ std::vector<emulator::ToldEvent> World::TakeEvents(std::size_t robot) {
   std::vector<emulator::ToldEvent> taken;
   emulator::Event event;
   while (events_[robot].Next(&event)) {
-    if (event.robot == robot || emulator::IsOfWorld(event.kind)) taken.push_back({.event = event});
+    if (event.robot == robot || emulator::RowOf(event.kind).of_world)
+      taken.push_back({.event = event});
   }
   return taken;
 }

@@ -257,7 +257,7 @@ void Recorder::WriteEvents(std::int64_t up_to_step) {
   while (has_event_ || events_.Next(&event_)) {
     has_event_ = event_.step > up_to_step;
     if (has_event_) break;
-    if (event_.robot != events_of_ && !emulator::IsOfWorld(event_.kind)) continue;
+    if (event_.robot != events_of_ && !emulator::RowOf(event_.kind).of_world) continue;
     if (const auto told = digest_.Take(event_, event_.time)) WriteEvent(*told);
   }
   WriteHeldBack(digest_.Due(TimeOf(up_to_step)), up_to_step);

@@ -11,7 +11,7 @@ namespace {
 
 bool IsOfWorld(const std::string& kind) {
   const auto row = std::ranges::find(emulator::EventTable(), kind, &emulator::EventRow::name);
-  return row != emulator::EventTable().end() && emulator::IsOfWorld(row->kind);
+  return row != emulator::EventTable().end() && row->of_world;
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ void Reporter::LogEvents(WallTime now) {
 }
 
 void Reporter::Log(const emulator::ToldEvent& told) const {
-  const bool of_robot = !names_.empty() && !emulator::IsOfWorld(told.event.kind);
+  const bool of_robot = !names_.empty() && !emulator::RowOf(told.event.kind).of_world;
   const std::string text = (of_robot ? names_[told.event.robot] + ": " : "") + told.text();
   switch (told.level()) {
     case EventLevel::kSilent:

@@ -10,7 +10,7 @@ void EventHistory::Update(std::chrono::nanoseconds now) {
   if (!reader_) return;
   const double seconds = std::chrono::duration<double>(now).count();
   for (emulator::Event event; reader_->Next(&event);) {
-    if (event.robot != robot_ && !emulator::IsOfWorld(event.kind)) continue;
+    if (event.robot != robot_ && !emulator::RowOf(event.kind).of_world) continue;
     ++counts_[static_cast<std::size_t>(event.kind)];
     if (event.kind == emulator::EventKind::kUnmatched) ++unmatched_[event.text.data()];
     if (event.kind == emulator::EventKind::kUnserved) unserved_.push_back(event);

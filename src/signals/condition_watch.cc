@@ -84,7 +84,7 @@ void ConditionWatch::Take(const emulator::Event& event) {
     if (slot.row == nullptr || slot.row->kind != event.kind) continue;
     if (slot.request != nullptr && slot.request != event.request.row) continue;
     const bool other = event.robot != conditions_.signals[i].robot;
-    if (other && !emulator::IsOfWorld(event.kind)) continue;
+    if (other && !emulator::RowOf(event.kind).of_world) continue;
     switch (conditions_.signals[i].source) {
       case Source::kEventField:
       case Source::kFirstJump:

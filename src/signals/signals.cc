@@ -164,7 +164,7 @@ Result<Signal> FieldOf(Signal signal, const std::string& topic, const std::strin
 bool IsOfWorld(const Signal& signal) {
   if (!signal.object.empty()) return true;
   const EventRow* row = signal.origin() == Origin::kEvents ? FindEvent(signal.topic) : nullptr;
-  return row != nullptr && emulator::IsOfWorld(row->kind);
+  return row != nullptr && row->of_world;
 }
 
 // "word(argument)" in two; the argument is "" if there is none.
