@@ -49,7 +49,7 @@ int main() try {
   const config::Config config = config::LoadConfig(
       {.robot = "go2", .sets = {"start.pose=standing", "motion.service=none"}}, config::DataDir());
   Hold hold(config);
-  assembly::Simulation simulation(config, [&](std::size_t) { return assembly::Ports{&hold}; });
+  assembly::Simulation simulation(config, [&](std::size_t) { return emulator::Ports{&hold}; });
   for (int tenth = 0; tenth <= 20; ++tenth) {
     if (tenth == 10) simulation.Request("push", {{"impulse", {0, 5, 0}}, {"for", 0.1}});
     const physics::RobotBody& body = simulation.world().physics().robot(0);

@@ -152,8 +152,8 @@ void CheckMotion(const config::RobotConfig& robot, const physics::RobotBody& bod
 MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::ModelHandle nominal,
                  robot::Draws draws, Notes notes, Reused* reused) {
   std::vector<physics::PlacedRobot> placed = PlacedRobots(config);
-  physics::World world(std::move(model), placed, std::move(nominal),
-                       reused == nullptr ? nullptr : std::move(reused->memory));
+  physics::MujocoWorld world(std::move(model), placed, std::move(nominal),
+                             reused == nullptr ? nullptr : std::move(reused->memory));
   world.Walk(config.objects);
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (IsThirdParty(config.robots[i])) CheckMotion(config.robots[i], world.robot(i), &notes);
@@ -195,15 +195,14 @@ MadePhysics MakePhysics(config::Config* config, Reused* reused) {
               reused);
 }
 
-std::unique_ptr<emulator::World> MakeWorld(physics::World physics, const config::Config& config,
-                                           const PortsOf& ports, emulator::Inbox* inbox) {
+std::unique_ptr<emulator::World> MakeWorld(physics::MujocoWorld physics,
+                                           const config::Config& config, const PortsOf& ports,
+                                           emulator::Inbox* inbox) {
   std::vector<emulator::RobotParts> robots;
   for (const config::RobotConfig& robot : config.robots) {
-    const Ports own = ports(robots.size());
     robots.push_back({.spec = robot.spec,
                       .settings = config::RobotSettingsOf(robot),
-                      .port = own.port,
-                      .services = own.services});
+                      .ports = ports(robots.size())});
   }
   return std::make_unique<emulator::World>(std::move(physics), config::WorldSettingsOf(config),
                                            robots, inbox);

@@ -13,7 +13,7 @@
 #include "config/config.h"
 #include "config/data_dir.h"  // so that a program built with the package finds its data
 #include "emulator/world.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "robot/randomization.h"
 
 namespace understudy::assembly {
@@ -26,7 +26,7 @@ struct Note {
 };
 
 struct MadePhysics {
-  physics::World world;
+  physics::MujocoWorld world;
   robot::Draws draws;       // values of config->randomization
   std::vector<Note> notes;  // on the models and the draws
   std::shared_ptr<const SightModel> sight;
@@ -51,18 +51,13 @@ struct Reused {
 // Throws ModelError.
 MadePhysics MakePhysics(config::Config* config, Reused* reused = nullptr);
 
-// What connects a robot to programs.
-struct Ports {
-  wire::RobotPort* port;
-  services::ServicePort* services = nullptr;  // null: the robot has no services
-};
-
 // Returns the ports of a robot by its number.
-using PortsOf = std::function<Ports(std::size_t robot)>;
+using PortsOf = std::function<emulator::Ports(std::size_t robot)>;
 
 // Makes the world of a configuration on the physics that was made from it. Ports and `inbox` must
 // outlive the world. Throws ConfigError for a planned fault that a robot cannot have.
-std::unique_ptr<emulator::World> MakeWorld(physics::World physics, const config::Config& config,
-                                           const PortsOf& ports, emulator::Inbox* inbox);
+std::unique_ptr<emulator::World> MakeWorld(physics::MujocoWorld physics,
+                                           const config::Config& config, const PortsOf& ports,
+                                           emulator::Inbox* inbox);
 
 }  // namespace understudy::assembly

@@ -20,7 +20,7 @@ time::Clock::Time TimeOf(const emulator::World& world) {
 
 // Ends a world and returns its memory.
 mjcf::DataHandle MemoryOf(std::unique_ptr<emulator::World> world) {
-  physics::World physics = std::move(*world).TakePhysics();
+  physics::MujocoWorld physics = std::move(*world).TakePhysics();
   world.reset();
   return std::move(physics).TakeMemory();
 }
@@ -66,11 +66,11 @@ void Simulation::Make() {
   notes_ = std::move(made.notes);
   sight_ = std::move(made.sight);
   const auto ports_or_none = [&](std::size_t robot) {
-    Ports own = ports_ ? ports_(robot) : Ports{nullptr};
-    if (own.port == nullptr) {
-      own.port = &null_ports_.emplace_back(config_.robots[robot].spec, config_.physics.timestep);
+    emulator::Ports own = ports_ ? ports_(robot) : emulator::Ports{nullptr};
+    if (own.topics == nullptr) {
+      own.topics = &null_ports_.emplace_back(config_.robots[robot].spec, config_.physics.timestep);
     }
-    own.port->Clear();
+    own.topics->Clear();
     return own;
   };
   world_ = MakeWorld(std::move(made.world), config_, ports_or_none, inbox_.get());

@@ -81,7 +81,7 @@ class SimulatedClock {
  private:
   simclock::OwnPage page_;
   std::optional<simclock::Coordinator> coordinator_;
-  std::optional<simclock::Trace> trace_;
+  std::optional<simclock::WaitTrace> trace_;
 };
 
 }  // namespace understudy::commands

@@ -154,7 +154,7 @@ int CheckPolicy(const PolicyArguments& arguments) {
   const robot::RobotSpec& spec = config.robots[0].spec;
   motion::PolicyDrive drive(spec, arguments.definition);
   assembly::CommandPort port(spec, config.physics.timestep);
-  assembly::Simulation simulation(config, [&](std::size_t) { return assembly::Ports{&port}; });
+  assembly::Simulation simulation(config, [&](std::size_t) { return emulator::Ports{&port}; });
   PrintDefinition(drive.policy(), spec.name);
   std::vector<std::string> wrong =
       CompareJoints(drive.policy(), spec, simulation.world().physics().robot(0).ranges());

@@ -32,7 +32,7 @@ void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
          DescribePatch);
 }
 
-void DescribeCorner(Archive& a, objects::PathPoint& p) {
+void DescribeCorner(Archive& a, objects::Corner& p) {
   a.Key(UNDERSTUDY_NVP(p.to), {"m", {-1000, 1000}, "Where in the world it is"});
   a.Key(UNDERSTUDY_NVP(p.wait), {"s", {0, 3600}, "How long the object stands there, each time"});
 }

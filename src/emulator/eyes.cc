@@ -25,8 +25,8 @@ int BodyOf(const robot::RobotSpec& spec, const physics::RobotBody& body) {
 }  // namespace
 
 Eyes::Eyes(const robot::RobotSpec& spec, const sensors::SensorConfig& errors,
-           const physics::World& physics, const physics::RobotBody& body,
-           const perception::Scene& scene)
+           const physics::MujocoWorld& physics, const physics::RobotBody& body,
+           const perception::RayCaster& scene)
     : spec_(spec),
       step_ns_(std::llround(physics.timestep() * 1e9)),
       R_BL_(robot::FromRollPitchYaw(spec.lidar.rpy)),
@@ -53,7 +53,7 @@ void Eyes::Rest() {
 }
 
 void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
-                perception::Scene* scene, Computer* computer) {
+                perception::RayCaster* scene, Computer* computer) {
   const bool runs = !faults.dead && computer->RunsLidar();
   looks_ = runs && computer->LooksForObstacles();
   bool casts = looks_;
@@ -86,7 +86,7 @@ void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects
 }
 
 void Eyes::Cast(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
-                perception::Scene* scene, Computer* computer) {
+                perception::RayCaster* scene, Computer* computer) {
   scene->Follow(step, data);
   const auto& odometry = computer->sampled().leg_odometry;
   const robot::LegOdometry* const base = odometry ? &*odometry : nullptr;

@@ -9,9 +9,9 @@
 #include "perception/height_mapper.h"
 #include "perception/lidar.h"
 #include "perception/obstacle_map.h"
-#include "perception/scene.h"
+#include "perception/ray_caster.h"
 #include "perception/voxel_mapper.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "robot/rate.h"
 #include "wire/robot_topics.h"
 
@@ -23,14 +23,14 @@ class Eyes {
  public:
   // `spec` has a lidar and must outlive it.
   Eyes(const robot::RobotSpec& spec, const sensors::SensorConfig& errors,
-       const physics::World& physics, const physics::RobotBody& body,
-       const perception::Scene& scene);
+       const physics::MujocoWorld& physics, const physics::RobotBody& body,
+       const perception::RayCaster& scene);
 
   // Goes on with other errors.
   void Apply(const sensors::SensorConfig& errors) { lidar_.Apply(errors); }
   // Looks after a step of the physics and publishes what is complete or due.
   void Look(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
-            perception::Scene* scene, Computer* computer);
+            perception::RayCaster* scene, Computer* computer);
 
  private:
   // A content, and how often it is due; of those of clouds with each cloud.
@@ -43,7 +43,7 @@ class Eyes {
   bool Wants(wire::Content content) const;
   void Rest();
   void Cast(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
-            perception::Scene* scene, Computer* computer);
+            perception::RayCaster* scene, Computer* computer);
   // Make of a cloud that is complete what is wanted of it.
   void Map(const robot::LegOdometry& base);
   void Measure(const robot::LegOdometry& base);

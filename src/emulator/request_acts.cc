@@ -15,14 +15,14 @@
 namespace understudy::emulator {
 namespace {
 
-Error NoBody(const physics::World& world, std::string_view name) {
+Error NoBody(const physics::MujocoWorld& world, std::string_view name) {
   std::vector<std::string> names = physics::BodyNames(world);
   names.erase(names.begin());  // the world, which does not move
   return {"the model has no body '" + std::string(name) + "'" + DidYouMean(name, names)};
 }
 
 // By its name in the world's model, or by the one that it has in the robot's own.
-Result<int> FindBody(const physics::World& world, std::size_t robot, std::string_view name) {
+Result<int> FindBody(const physics::MujocoWorld& world, std::size_t robot, std::string_view name) {
   int body = world.FindBody(std::string(name));
   if (body < 0) body = world.robot(robot).FindBody(std::string(name));
   if (body < 0) return NoBody(world, name);
@@ -33,7 +33,8 @@ Result<int> FindBody(const physics::World& world, std::size_t robot, std::string
   return body;
 }
 
-Result<const physics::LooseBody*> FindObject(const physics::World& world, std::string_view name) {
+Result<const physics::LooseBody*> FindObject(const physics::MujocoWorld& world,
+                                             std::string_view name) {
   if (const physics::LooseBody* const found = world.FindObject(name)) {
     if (!found->walks) return found;
     return Error{"'" + found->name + "' walks along its path; reset puts it back at the start"};

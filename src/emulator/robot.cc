@@ -36,22 +36,23 @@ std::vector<std::string> Links(const robot::RobotSpec& spec, const wire::RobotPo
 
 }  // namespace
 
-Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics,
-             perception::Scene* scene, EventRing* events)
+Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::MujocoWorld* physics,
+             perception::RayCaster* scene, EventRing* events)
     : spec_(parts.spec),
       settings_(parts.settings),
       starts_(StartsOf(spec_, settings_.gate.damping_kd)),
       physics_(physics),
       body_(&physics->robot(index)),
       ranges_(body_->ranges()),
-      faults_(spec_, Links(spec_, *parts.port),
-              parts.services == nullptr ? std::vector<std::string>() : parts.services->names(),
+      faults_(spec_, Links(spec_, *parts.ports.topics),
+              parts.ports.services == nullptr ? std::vector<std::string>()
+                                              : parts.ports.services->names(),
               settings_.sensors.seed,
-              parts.services == nullptr ? std::vector<std::string>() : parts.services->topics()),
+              parts.ports.services == nullptr ? std::vector<std::string>()
+                                              : parts.ports.services->topics()),
       events_(spec_, index, events),
       computer_(
-          spec_, settings_, {.topics = parts.port, .services = parts.services}, faults_,
-          start(settings_.start).command,
+          spec_, settings_, parts.ports, faults_, start(settings_.start).command,
           [this](std::string_view alias) {
             return motion::MakeMotion({.spec = spec_,
                                        .service = authority::MotionService(spec_, alias),

@@ -17,9 +17,9 @@
 #include "emulator/robot_events.h"
 #include "emulator/settings.h"
 #include "emulator/status.h"
-#include "perception/scene.h"
+#include "perception/ray_caster.h"
 #include "physics/crane.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "robot/fault_bank.h"
 #include "services/service_port.h"
 #include "time/clock.h"
@@ -31,8 +31,7 @@ namespace understudy::emulator {
 struct RobotParts {
   robot::RobotSpec spec;  // validated, as the settings are
   RobotSettings settings;
-  wire::RobotPort* port;                      // must outlive the robot
-  services::ServicePort* services = nullptr;  // must outlive the robot; null: no services
+  Ports ports;  // must outlive the robot
 };
 
 // Owns all parts of one robot except its ports and its bodies in the physics. Hardware and Computer
@@ -45,8 +44,8 @@ class Robot {
   // the same spec, and `scene`, which a robot without a lidar need not have, for the same model;
   // `events` gets the robot's events. They must outlive it. Throws ConfigError for a fault in the
   // settings that the robot cannot have.
-  Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics,
-        perception::Scene* scene, EventRing* events);
+  Robot(const RobotParts& parts, std::uint8_t index, physics::MujocoWorld* physics,
+        perception::RayCaster* scene, EventRing* events);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
@@ -164,14 +163,14 @@ class Robot {
   robot::RobotSpec spec_;
   RobotSettings settings_;
   std::vector<Start> starts_;  // by StartPose
-  physics::World* physics_;
+  physics::MujocoWorld* physics_;
   physics::RobotBody* body_;                   // of this robot, in physics_
   std::vector<std::array<double, 2>> ranges_;  // rad, of the joints in motor order
   robot::FaultBank faults_;
   RobotEvents events_;
   Computer computer_;
   drive::Hardware hardware_;
-  perception::Scene* scene_;
+  perception::RayCaster* scene_;
   std::optional<Eyes> eyes_;  // where spec_ has a lidar
   physics::Crane crane_;
   int crane_body_;

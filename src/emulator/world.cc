@@ -12,7 +12,7 @@ constexpr std::size_t kMostSteppers = 2 * Inbox::kCapacity;
 
 }  // namespace
 
-World::World(physics::World physics, const WorldSettings& settings,
+World::World(physics::MujocoWorld physics, const WorldSettings& settings,
              const std::vector<RobotParts>& robots, Inbox* inbox)
     : settings_(settings),
       physics_(std::move(physics)),

@@ -20,7 +20,7 @@
 #include "emulator/snapshot.h"
 #include "emulator/status.h"
 #include "physics/forces.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "time/clock.h"
 #include "time/pace.h"
 
@@ -33,13 +33,13 @@ class World {
  public:
   // `physics` was made for the robots' specs; `inbox`, which may have requests to all robots, and
   // the robots' ports must outlive the world.
-  World(physics::World physics, const WorldSettings& settings,
+  World(physics::MujocoWorld physics, const WorldSettings& settings,
         const std::vector<RobotParts>& robots, Inbox* inbox);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   // Gives its physics away. After that it can only be destroyed.
-  physics::World TakePhysics() && { return std::move(physics_); }
+  physics::MujocoWorld TakePhysics() && { return std::move(physics_); }
 
   // Plays a script: each event is carried out in the tick of its time, or in the first one from
   // then on in which its condition holds, like a request from the inbox. One that has waited too
@@ -87,7 +87,9 @@ class World {
   std::size_t robot_count() const { return robots_.size(); }
   Robot& robot(std::size_t index) { return robots_[index]; }
   const Robot& robot(std::size_t index) const { return robots_[index]; }
-  const physics::World& physics() const { return physics_; }  // changed by the functions above
+  const physics::MujocoWorld& physics() const {
+    return physics_;
+  }  // changed by the functions above
   // Of the last step, on a robot.
   std::span<const physics::AppliedForce> pushes(std::size_t robot) const {
     return forces_[robot].pushes.forces();
@@ -146,8 +148,8 @@ class World {
 
   WorldSettings settings_;
   EventRing events_;
-  physics::World physics_;
-  std::optional<perception::Scene> scene_;  // where a robot sees
+  physics::MujocoWorld physics_;
+  std::optional<perception::RayCaster> scene_;  // where a robot sees
   std::deque<Robot> robots_;
   std::vector<Inbox*> inboxes_;
   std::int64_t step_ns_;

@@ -57,7 +57,7 @@ struct ObjectKind {
 };
 
 // A corner of a path.
-struct PathPoint {
+struct Corner {
   std::array<double, 2> to{};  // m, world
   double wait = 0;             // s that it stands there, each time
 };
@@ -78,7 +78,7 @@ struct ObjectSpec {
   double mass = 0;              // kg; 0: the kind's
   double friction = 0;          // 0: the kind's
   // The corners that it walks to from `pos` on (objects/walk.h); none: it does not walk.
-  std::vector<PathPoint> path{};
+  std::vector<Corner> path{};
   double speed = 0;  // m/s; 0: the kind's
   double wait = 0;   // s that it stands at `pos`, each time
   PathEnd then = PathEnd::kBack;

@@ -11,8 +11,8 @@ namespace {
 
 // The corners in the order of its way, with `pos` first. After the last it goes to the first,
 // unless it stays.
-std::vector<PathPoint> CornersOf(const ObjectSpec& object) {
-  std::vector<PathPoint> corners{{.to = {object.pos[0], object.pos[1]}, .wait = object.wait}};
+std::vector<Corner> CornersOf(const ObjectSpec& object) {
+  std::vector<Corner> corners{{.to = {object.pos[0], object.pos[1]}, .wait = object.wait}};
   corners.insert(corners.end(), object.path.begin(), object.path.end());
   if (object.then == PathEnd::kBack) {
     for (std::size_t i = object.path.size() - 1; i > 0; --i) corners.push_back(corners[i]);
@@ -20,7 +20,7 @@ std::vector<PathPoint> CornersOf(const ObjectSpec& object) {
   return corners;
 }
 
-double YawOf(const PathPoint& from, const PathPoint& to) {
+double YawOf(const Corner& from, const Corner& to) {
   return std::atan2(to.to[1] - from.to[1], to.to[0] - from.to[0]);
 }
 
@@ -34,7 +34,7 @@ double DrawnPart(int seed) {
 
 Walk::Walk(const ObjectSpec& object)
     : gait_(KindOf(object).gait), stays_(object.then == PathEnd::kStay) {
-  const std::vector<PathPoint> corners = CornersOf(object);
+  const std::vector<Corner> corners = CornersOf(object);
   const double speed = SpeedOf(object);
   const auto add = [this](double seconds, const WalkPose& start) {
     stretches_.push_back({.from = period_, .start = start});
@@ -42,8 +42,8 @@ Walk::Walk(const ObjectSpec& object)
   };
   const std::size_t legs = stays_ ? corners.size() - 1 : corners.size();
   for (std::size_t i = 0; i < legs; ++i) {
-    const PathPoint& from = corners[i];
-    const PathPoint& to = corners[(i + 1) % corners.size()];
+    const Corner& from = corners[i];
+    const Corner& to = corners[(i + 1) % corners.size()];
     const double dx = to.to[0] - from.to[0], dy = to.to[1] - from.to[1];
     const double yaw = YawOf(from, to), length = std::hypot(dx, dy);
     WalkPose pose{.x = from.to[0], .y = from.to[1], .yaw = yaw};
@@ -54,7 +54,7 @@ Walk::Walk(const ObjectSpec& object)
     stretches_.back().length = length;
     pose = {.x = to.to[0], .y = to.to[1], .yaw = yaw};
     if (i + 1 < legs || !stays_) {
-      const PathPoint& next = corners[(i + 2) % corners.size()];
+      const Corner& next = corners[(i + 2) % corners.size()];
       const double angle = std::remainder(YawOf(to, next) - yaw, 2 * std::numbers::pi);
       pose.turn = std::copysign(kTurnRate, angle);
       add(std::abs(angle) / kTurnRate, pose);

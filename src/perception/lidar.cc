@@ -40,7 +40,7 @@ bool IsEcho(const robot::LidarPoint& point) { return point.x != 0 || point.y != 
 }  // namespace
 
 Lidar::Lidar(const robot::LidarSpec& spec, const sensors::SensorConfig& errors, int body,
-             const mjModel& model, const mjData& data, const Scene& scene, double dt)
+             const mjModel& model, const mjData& data, const RayCaster& scene, double dt)
     : spec_(spec),
       law_(LawOf(spec.make)),
       errors_(errors),
@@ -75,7 +75,7 @@ void Lidar::Begin(std::int64_t slot) {
   filling_.stamp_ns = slot * kSecond / law_.slots_per_second;
 }
 
-bool Lidar::Sense(std::int64_t step, const mjData& data, const Scene& scene,
+bool Lidar::Sense(std::int64_t step, const mjData& data, const RayCaster& scene,
                   const robot::LidarEffects& faults, const robot::LegOdometry* base) {
   const mjcf::RotationView R_WB(data.xmat + 9 * body_);
   p_WL_ = mjcf::Vector(data.xpos + 3 * body_) + R_WB * spec_.pos;
@@ -104,7 +104,7 @@ bool Lidar::Sense(std::int64_t step, const mjData& data, const Scene& scene,
 }
 
 // Returns a point at 0 if no echo comes back.
-robot::LidarPoint Lidar::Cast(std::int64_t slot, const Vector3d& ahead, const Scene& scene,
+robot::LidarPoint Lidar::Cast(std::int64_t slot, const Vector3d& ahead, const RayCaster& scene,
                               const robot::LidarEffects& faults) const {
   robot::LidarPoint point;
   point.time = static_cast<float>(static_cast<double>(slot % law_.cloud_slots) /

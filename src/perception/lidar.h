@@ -6,7 +6,7 @@
 
 #include "mjcf/mujoco_handles.h"
 #include "perception/lidar_law.h"
-#include "perception/scene.h"
+#include "perception/ray_caster.h"
 #include "robot/fault.h"
 #include "robot/lidar_reading.h"
 #include "robot/robot_spec.h"
@@ -25,7 +25,7 @@ class Lidar {
   // meets. `data` has the kinematics of the model, that of `scene`. `dt` [s] is the step of the
   // physics.
   Lidar(const robot::LidarSpec& spec, const sensors::SensorConfig& errors, int body,
-        const mjModel& model, const mjData& data, const Scene& scene, double dt);
+        const mjModel& model, const mjData& data, const RayCaster& scene, double dt);
 
   // Goes on with other errors.
   void Apply(const sensors::SensorConfig& errors) { errors_ = errors; }
@@ -33,7 +33,7 @@ class Lidar {
   // Casts the samples since the step before; `data` has the poses of this one, as `scene` has.
   // `base` is where the robot takes its base for; null: nothing is deskewed. Returns whether a
   // cloud is complete; after Rest the next whole one.
-  bool Sense(std::int64_t step, const mjData& data, const Scene& scene,
+  bool Sense(std::int64_t step, const mjData& data, const RayCaster& scene,
              const robot::LidarEffects& faults = {}, const robot::LegOdometry* base = nullptr);
   // Drops the cloud that has begun.
   void Rest() { sees_ = false; }
@@ -52,7 +52,7 @@ class Lidar {
  private:
   std::int64_t SlotsUntil(std::int64_t step) const { return step * slots_ / steps_; }
   void Begin(std::int64_t slot);
-  robot::LidarPoint Cast(std::int64_t slot, const Eigen::Vector3d& ahead, const Scene& scene,
+  robot::LidarPoint Cast(std::int64_t slot, const Eigen::Vector3d& ahead, const RayCaster& scene,
                          const robot::LidarEffects& faults) const;
 
   robot::LidarSpec spec_;

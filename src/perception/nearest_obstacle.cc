@@ -25,7 +25,7 @@ std::array<Vector3d, 2> LevelAxesOf(const mjData& data, int base) {
 
 }  // namespace
 
-NearestObstacle::NearestObstacle(const physics::World& world, std::size_t robot)
+NearestObstacle::NearestObstacle(const physics::MujocoWorld& world, std::size_t robot)
     : scene_(world.model(), world.data()),
       base_(world.robot(robot).Body(world.robot(robot).spec().base_body)) {
   const mjModel& model = world.model();

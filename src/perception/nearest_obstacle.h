@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "perception/scene.h"
-#include "physics/world.h"
+#include "perception/ray_caster.h"
+#include "physics/mujoco_world.h"
 
 namespace understudy::perception {
 
@@ -21,7 +21,7 @@ class NearestObstacle {
   static constexpr double kFarthest = 10;  // m
 
   // Of a robot by its number in the world. Keeps nothing of `world`.
-  NearestObstacle(const physics::World& world, std::size_t robot);
+  NearestObstacle(const physics::MujocoWorld& world, std::size_t robot);
 
   // Returns the distance [m] from the outline of what is nearest, 0 within it, kFarthest if nothing
   // is nearer. `step` counts the steps of the same world.
@@ -30,7 +30,7 @@ class NearestObstacle {
  private:
   static constexpr int kRays = 108;
 
-  Scene scene_;
+  RayCaster scene_;
   int base_;                               // body
   std::vector<int> own_;                   // geoms of the robot
   Eigen::Array2d low_{0, 0}, high_{0, 0};  // m, of the outline in the base's frame, level

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 
 namespace understudy::physics {
 
@@ -46,7 +46,7 @@ class Bench {
   std::vector<std::array<double, 2>> ranges() const { return world_.robot().ranges(); }
 
   RobotBody& robot() { return world_.robot(); }
-  World& world() { return world_; }
+  MujocoWorld& world() { return world_; }
 
   // Of the joint of a motor; and of the link that it moves.
   JointFigures Joint(std::size_t motor) const;
@@ -64,7 +64,7 @@ class Bench {
   };
 
   mjModel* model_;  // the world's
-  World world_;
+  MujocoWorld world_;
   std::vector<Place> places_;  // in motor order, as compiled
   std::vector<std::size_t> limbs_;
   robot::PoseSpec pose_;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 
 namespace understudy::physics {
 

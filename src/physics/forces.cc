@@ -11,7 +11,7 @@ constexpr double kStiffness = 100;  // 1/s², mjModel.vis.map.stiffness unless a
 constexpr double kDamping = 20;     // 1/s, twice the root of it: critical; *assumed*
 constexpr double kHardest = 50;     // m/s², of the mass that is dragged; *assumed*
 
-void AddAll(std::span<const AppliedForce> forces, World* world) {
+void AddAll(std::span<const AppliedForce> forces, MujocoWorld* world) {
   for (const AppliedForce& force : forces) world->AddForce(force.body, force.p_WP, force.force_W);
 }
 
@@ -33,7 +33,7 @@ void Pushes::Clear() {
   forces_.clear();
 }
 
-void Pushes::Act(double t, World* world) {
+void Pushes::Act(double t, MujocoWorld* world) {
   // Half a step of tolerance: a push of 0.1 s has 100 steps in spite of rounding.
   const double now = t + 0.5 * world->timestep();
   std::erase_if(pushes_, [now](const Push& push) { return now >= push.until; });
@@ -71,7 +71,7 @@ void Drags::Clear() {
   forces_.clear();
 }
 
-void Drags::Act(double t, World* world) {
+void Drags::Act(double t, MujocoWorld* world) {
   const double now = t + 0.5 * world->timestep();
   std::erase_if(drags_, [now](const Drag& drag) { return now >= drag.until; });
   forces_.clear();

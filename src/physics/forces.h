@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 
 namespace understudy::physics {
 
@@ -29,7 +29,7 @@ class Pushes {
   void Clear();
 
   // Adds the forces to the step that begins at t [s].
-  void Act(double t, World* world);
+  void Act(double t, MujocoWorld* world);
   // Returns the forces of the last step.
   std::span<const AppliedForce> forces() const { return forces_; }
 
@@ -66,7 +66,7 @@ class Drags {
   void Clear();
 
   // As in Pushes.
-  void Act(double t, World* world);
+  void Act(double t, MujocoWorld* world);
   std::span<const AppliedForce> forces() const { return forces_; }
 
  private:

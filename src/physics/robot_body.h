@@ -28,11 +28,11 @@ struct PlacedRobot {
   double yaw = 0;       // rad, heading of its poses
 };
 
-// Reads and drives one robot of a World. `q`, `dq`, base and bodies belong to the instant described
-// at World. Allocates only in the constructor.
+// Reads and drives one robot of a MujocoWorld. `q`, `dq`, base and bodies belong to the instant
+// described at MujocoWorld. Allocates only in the constructor.
 class RobotBody {
  public:
-  // For World, which owns the models and `data`. `data` has the kinematics at joint angles 0.
+  // For MujocoWorld, which owns the models and `data`. `data` has the kinematics at joint angles 0.
   RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot, const mjModel* nominal);
 
   // Puts the robot at rest at its place in that pose, with the pose's height over the ground there
@@ -109,7 +109,7 @@ class RobotBody {
   const robot::RobotSpec& spec() const { return spec_; }
 
  private:
-  friend class World;
+  friend class MujocoWorld;
 
   struct JointFriction {
     double torque = 0;                  // N·m

@@ -9,11 +9,15 @@
 
 namespace understudy::physics {
 
-std::size_t PositionCount(const World& world) { return static_cast<std::size_t>(world.model().nq); }
+std::size_t PositionCount(const MujocoWorld& world) {
+  return static_cast<std::size_t>(world.model().nq);
+}
 
-std::size_t RateCount(const World& world) { return static_cast<std::size_t>(world.model().nv); }
+std::size_t RateCount(const MujocoWorld& world) {
+  return static_cast<std::size_t>(world.model().nv);
+}
 
-std::vector<std::string> BodyNames(const World& world) {
+std::vector<std::string> BodyNames(const MujocoWorld& world) {
   std::vector<std::string> names;
   for (int i = 0; i < world.model().nbody; ++i) {
     const char* name = mj_id2name(&world.model(), mjOBJ_BODY, i);
@@ -22,15 +26,15 @@ std::vector<std::string> BodyNames(const World& world) {
   return names;
 }
 
-void ReadPositions(const World& world, std::span<double> to) {
+void ReadPositions(const MujocoWorld& world, std::span<double> to) {
   std::copy_n(world.data().qpos, std::min(to.size(), PositionCount(world)), to.begin());
 }
 
-void ReadRates(const World& world, std::span<double> to) {
+void ReadRates(const MujocoWorld& world, std::span<double> to) {
   std::copy_n(world.data().qvel, std::min(to.size(), RateCount(world)), to.begin());
 }
 
-void ReadBodies(const World& world, std::span<BodyPose> to) {
+void ReadBodies(const MujocoWorld& world, std::span<BodyPose> to) {
   const mjData& data = world.data();
   const std::size_t count = std::min(to.size(), static_cast<std::size_t>(world.model().nbody));
   for (std::size_t i = 0; i < count; ++i) {
@@ -39,7 +43,7 @@ void ReadBodies(const World& world, std::span<BodyPose> to) {
   }
 }
 
-std::size_t ReadContacts(const World& world, std::span<ContactReading> to) {
+std::size_t ReadContacts(const MujocoWorld& world, std::span<ContactReading> to) {
   const mjData& data = world.data();
   std::size_t count = 0;
   for (int i = 0; i < data.ncon && count < to.size(); ++i) {
@@ -65,7 +69,7 @@ std::size_t ReadContacts(const World& world, std::span<ContactReading> to) {
   return count;
 }
 
-std::array<double, 3> SubtreeCenterOfMass(const World& world, int body) {
+std::array<double, 3> SubtreeCenterOfMass(const MujocoWorld& world, int body) {
   std::array<double, 3> com{};
   std::copy_n(world.data().subtree_com + 3 * body, 3, com.begin());
   return com;

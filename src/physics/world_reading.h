@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 
 namespace understudy::physics {
 
@@ -22,20 +22,20 @@ struct ContactReading {
   std::array<int, 2> bodies{};  // of the geoms
 };
 
-std::size_t PositionCount(const World& world);  // of qpos
-std::size_t RateCount(const World& world);      // of qvel
+std::size_t PositionCount(const MujocoWorld& world);  // of qpos
+std::size_t RateCount(const MujocoWorld& world);      // of qvel
 // Returns the names of all bodies by MuJoCo's id; the first is the world.
-std::vector<std::string> BodyNames(const World& world);
+std::vector<std::string> BodyNames(const MujocoWorld& world);
 
 // Each fills `to` up to its size and does not allocate. Positions and rates are those of the next
-// step; the others belong to the instant t as described at World.
-void ReadPositions(const World& world, std::span<double> to);
-void ReadRates(const World& world, std::span<double> to);
-void ReadBodies(const World& world, std::span<BodyPose> to);
+// step; the others belong to the instant t as described at MujocoWorld.
+void ReadPositions(const MujocoWorld& world, std::span<double> to);
+void ReadRates(const MujocoWorld& world, std::span<double> to);
+void ReadBodies(const MujocoWorld& world, std::span<BodyPose> to);
 // Returns how many it filled in: the contacts with a force.
-std::size_t ReadContacts(const World& world, std::span<ContactReading> to);
+std::size_t ReadContacts(const MujocoWorld& world, std::span<ContactReading> to);
 // Returns the centre of mass [m], in the world, of `body` and all that hangs on it, as of the last
 // BeginStep: of a base body, the robot's.
-std::array<double, 3> SubtreeCenterOfMass(const World& world, int body);
+std::array<double, 3> SubtreeCenterOfMass(const MujocoWorld& world, int body);
 
 }  // namespace understudy::physics

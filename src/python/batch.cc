@@ -69,12 +69,13 @@ Batch::Batch(const config::Layers& layers, std::size_t count, std::size_t thread
     throw std::invalid_argument("Batch: expected seeds of 0 to 2147483647");
   }
   worlds_.resize(count);
-  worlds_[0] = std::make_shared<World>(layers);  // what is wrong is wrong with all of them
+  worlds_[0] = std::make_shared<PythonWorld>(layers);  // what is wrong is wrong with all of them
   if (worlds_[0]->simulation().world().robot_count() != 1) {
     throw std::invalid_argument("Batch: expected one robot a world");
   }
   const assembly::Simulation& first = worlds_[0]->simulation();
-  OverThreads(count - 1, [&](std::size_t i) { worlds_[i + 1] = std::make_shared<World>(first); });
+  OverThreads(count - 1,
+              [&](std::size_t i) { worlds_[i + 1] = std::make_shared<PythonWorld>(first); });
   columns_ = Columns(robot(0).spec(), count);
   std::vector<std::size_t> all(count);
   std::vector<int> seeds(count);
@@ -134,7 +135,7 @@ void Batch::OverThreads(std::size_t count, const std::function<void(std::size_t)
 }
 
 void Batch::Read(std::size_t i) {
-  const Robot one = robot(i);
+  const PythonRobot one = robot(i);
   const robot::RobotState& state = one.lowstate();
   const physics::RobotBody& body = one.body();
   Row row(&columns_, i);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "config/load.h"
-#include "python/world.h"
+#include "python/python_world.h"
 
 namespace understudy::python {
 
@@ -31,16 +31,16 @@ class Batch {
   Batch(const config::Layers& layers, std::size_t count, std::size_t threads, int seed);
 
   std::size_t size() const { return worlds_.size(); }
-  Robot robot(std::size_t i) const { return {worlds_[i], 0}; }
+  PythonRobot robot(std::size_t i) const { return {worlds_[i], 0}; }
 
   // Gives each robot a command: `motors` has those of the first robot, then those of the next.
   void Command(std::span<const robot::MotorCommand> motors);
   // Steps all robots by so many seconds and reads their states. Throws as Simulation::Step, once
-  // the others have been stepped, and std::invalid_argument as World::StepsOf.
+  // the others have been stepped, and std::invalid_argument as PythonWorld::StepsOf.
   void Step(double seconds);
   // Begins the episodes of these robots anew, each by its seed, and makes one step, so that there
   // is a state. `seeds` has as many as `robots`, and so has `at`, or it is empty: the robots are
-  // where their configuration has them. Throws as World::Begin.
+  // where their configuration has them. Throws as PythonWorld::Begin.
   void Begin(std::span<const std::size_t> robots, std::span<const int> seeds,
              std::span<const assembly::Place> at = {});
 
@@ -52,7 +52,7 @@ class Batch {
   void Read(std::size_t i);
 
   std::size_t threads_;
-  std::vector<std::shared_ptr<World>> worlds_;
+  std::vector<std::shared_ptr<PythonWorld>> worlds_;
   std::vector<Column> columns_;
 };
 

@@ -46,7 +46,7 @@ void BindBatch(nb::module_& m) {
       .def("__len__", &Batch::size)
       .def_prop_ro("robots",
                    [](const Batch& batch) {
-                     std::vector<Robot> robots;
+                     std::vector<PythonRobot> robots;
                      for (std::size_t i = 0; i < batch.size(); ++i) {
                        robots.push_back(batch.robot(i));
                      }

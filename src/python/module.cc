@@ -28,7 +28,7 @@
 #include "python/arguments.h"
 #include "python/batch_module.h"
 #include "python/policy_module.h"
-#include "python/world.h"
+#include "python/python_world.h"
 #include "robot/hand_law.h"
 
 namespace understudy::python {
@@ -64,7 +64,7 @@ Array ArrayOf(const std::vector<robot::MotorReading>& motors, Field robot::Motor
   return ArrayOf(values);
 }
 
-void Command(Robot& robot, const nb::object& q, const nb::object& dq, const nb::object& tau,
+void Command(PythonRobot& robot, const nb::object& q, const nb::object& dq, const nb::object& tau,
              const nb::object& kp, const nb::object& kd, bool enabled, double weight,
              const std::string& topic) {
   const std::size_t number = robot.TopicOf(topic);
@@ -75,7 +75,7 @@ void Command(Robot& robot, const nb::object& q, const nb::object& dq, const nb::
   robot.world().port(robot.index()).Give(number, std::move(command));
 }
 
-void Step(World& world, double seconds) {
+void Step(PythonWorld& world, double seconds) {
   const int steps = world.StepsOf(seconds);
   const nb::gil_scoped_release release;
   world.simulation().Step(steps);
@@ -83,7 +83,7 @@ void Step(World& world, double seconds) {
 
 // The simulation's truth of a robot: read when asked for, of the last step.
 struct Truth {
-  Robot robot;
+  PythonRobot robot;
 };
 
 std::vector<std::string> Joints(const std::vector<robot::MotorSpec>& motors) {
@@ -92,9 +92,9 @@ std::vector<std::string> Joints(const std::vector<robot::MotorSpec>& motors) {
   return names;
 }
 
-std::shared_ptr<World> MakeWorld(const config::Layers& layers) {
+std::shared_ptr<PythonWorld> MakeWorld(const config::Layers& layers) {
   const nb::gil_scoped_release release;
-  return std::make_shared<World>(layers);
+  return std::make_shared<PythonWorld>(layers);
 }
 
 void BindState(nb::module_& m) {
@@ -192,7 +192,7 @@ void BindTruth(nb::module_& m) {
 }
 
 // Compiles the robot's world anew, with what was drawn for it, for the package mujoco.
-nb::object MujocoModel(const Robot& robot) {
+nb::object MujocoModel(const PythonRobot& robot) {
   config::Config config = robot.world().simulation().config();
   const assembly::MadePhysics made = assembly::MakePhysics(&config);
   const mjcf::SavedModel saved = mjcf::SaveModel(made.world.robot().model(), physics::kClampName);
@@ -203,7 +203,7 @@ nb::object MujocoModel(const Robot& robot) {
   return nb::module_::import_("mujoco").attr("MjModel").attr("from_xml_string")(saved.xml, files);
 }
 
-nb::list Events(Robot& robot) {
+nb::list Events(PythonRobot& robot) {
   nb::list events;
   const nb::object loads = nb::module_::import_("json").attr("loads");
   for (const emulator::ToldEvent& told : robot.world().TakeEvents(robot.index())) {
@@ -217,7 +217,7 @@ nb::list Events(Robot& robot) {
   return events;
 }
 
-nb::dict Damage(const Robot& robot) {
+nb::dict Damage(const PythonRobot& robot) {
   const robot::DamageTotals& totals = robot.part().damage();
   nb::dict damage;
   damage["time"] = totals.time;
@@ -241,27 +241,28 @@ nb::dict Damage(const Robot& robot) {
 }
 
 void BindRobot(nb::module_& m) {
-  nb::class_<Robot>(m, "Robot", "One robot of a world, which it keeps alive.")
+  nb::class_<PythonRobot>(m, "Robot", "One robot of a world, which it keeps alive.")
       .def(nb::new_([](const nb::object& name, const nb::object& files, const nb::dict& sets,
                        const std::optional<int>& seed) {
-             return std::make_shared<Robot>(MakeWorld(LayersOf({name}, files, sets, seed)), 0);
+             return std::make_shared<PythonRobot>(MakeWorld(LayersOf({name}, files, sets, seed)),
+                                                  0);
            }),
            "name"_a, nb::kw_only(), "config"_a = nb::tuple(), "set"_a = nb::dict(),
            "seed"_a = nb::none(), "Makes a World with this one robot, from the same arguments.")
-      .def_prop_ro("name", [](const Robot& r) { return r.spec().name; })
+      .def_prop_ro("name", [](const PythonRobot& r) { return r.spec().name; })
       .def_prop_ro(
-          "joints", [](const Robot& r) { return Joints(r.spec().motors); },
+          "joints", [](const PythonRobot& r) { return Joints(r.spec().motors); },
           "names of the motors' joints, in the vendor's order")
       .def_prop_ro(
-          "standing", [](const Robot& r) { return ArrayOf(r.spec().standing.q); }, kOwn,
+          "standing", [](const PythonRobot& r) { return ArrayOf(r.spec().standing.q); }, kOwn,
           "rad, joint angles of the standing pose, shape (motors,)")
-      .def_prop_ro("world", [](const Robot& r) { return r.world().shared_from_this(); })
+      .def_prop_ro("world", [](const PythonRobot& r) { return r.world().shared_from_this(); })
       .def_prop_ro(
-          "state", [](const Robot& r) { return r.lowstate(); },
+          "state", [](const PythonRobot& r) { return r.lowstate(); },
           "The last LowState. Raises RuntimeError before the first step.")
-      .def_prop_ro("truth", [](const Robot& r) { return Truth{r}; })
+      .def_prop_ro("truth", [](const PythonRobot& r) { return Truth{r}; })
       .def_prop_ro(
-          "time", [](const Robot& r) { return r.world().simulation().world().time(); },
+          "time", [](const PythonRobot& r) { return r.world().simulation().world().time(); },
           "s of simulated time")
       .def_prop_ro("damage", &Damage,
                    "what the run would have done to the robot so far, as "
@@ -276,11 +277,11 @@ void BindRobot(nb::module_& m) {
            "goals: a brainco goes there at full speed, an inspire_ftp at the speed and with the "
            "most torque of the command before. Raises ValueError for another shape or topic.")
       .def(
-          "step", [](Robot& r, double seconds) { Step(r.world(), seconds); }, "seconds"_a = 0.001,
-          "Steps the whole world by so many seconds of simulated time.")
+          "step", [](PythonRobot& r, double seconds) { Step(r.world(), seconds); },
+          "seconds"_a = 0.001, "Steps the whole world by so many seconds of simulated time.")
       .def(
           "begin",
-          [](Robot& r, int seed) {
+          [](PythonRobot& r, int seed) {
             const nb::gil_scoped_release release;
             r.world().Begin(seed);
           },
@@ -294,7 +295,7 @@ void BindRobot(nb::module_& m) {
            "kind, text and detail, as recordings have them.")
       .def(
           "request",
-          [](const Robot& r, const std::string& name, const nb::kwargs& values) {
+          [](const PythonRobot& r, const std::string& name, const nb::kwargs& values) {
             r.Request(name, JsonOf(values));
           },
           "name"_a, "values"_a,
@@ -304,7 +305,7 @@ void BindRobot(nb::module_& m) {
 }
 
 void BindWorld(nb::module_& m) {
-  nb::class_<World>(m, "World", "Robots in one world, in this process.")
+  nb::class_<PythonWorld>(m, "World", "Robots in one world, in this process.")
       .def(nb::new_([](const nb::args& robots, const nb::object& files, const nb::dict& sets,
                        const std::optional<int>& seed) {
              return MakeWorld(LayersOf({robots.begin(), robots.end()}, files, sets, seed));
@@ -319,13 +320,14 @@ void BindWorld(nb::module_& m) {
            "is no State before the first step. Raises Error, whose line names the file, the key, "
            "what was expected and the nearest valid word.")
       .def_prop_ro(
-          "time", [](World& w) { return w.simulation().world().time(); }, "s of simulated time")
+          "time", [](PythonWorld& w) { return w.simulation().world().time(); },
+          "s of simulated time")
       .def_prop_ro(
-          "timestep", [](World& w) { return w.simulation().config().physics.timestep; },
+          "timestep", [](PythonWorld& w) { return w.simulation().config().physics.timestep; },
           "s of a step")
       .def_prop_ro("robots",
-                   [](const std::shared_ptr<World>& w) {
-                     std::vector<Robot> robots;
+                   [](const std::shared_ptr<PythonWorld>& w) {
+                     std::vector<PythonRobot> robots;
                      for (std::size_t i = 0; i < w->simulation().world().robot_count(); ++i) {
                        robots.emplace_back(w, i);
                      }
@@ -333,7 +335,7 @@ void BindWorld(nb::module_& m) {
                    })
       .def_prop_ro(
           "notes",
-          [](World& w) {
+          [](PythonWorld& w) {
             std::vector<std::string> notes;
             for (const assembly::Note& note : w.simulation().notes()) {
               notes.push_back(note.text);
@@ -343,7 +345,7 @@ void BindWorld(nb::module_& m) {
           "warnings about the models, and what was drawn at random")
       .def(
           "begin",
-          [](World& w, int seed, const std::vector<assembly::Place>& at) {
+          [](PythonWorld& w, int seed, const std::vector<assembly::Place>& at) {
             const nb::gil_scoped_release release;
             w.Begin(seed, at);
           },
@@ -356,7 +358,8 @@ void BindWorld(nb::module_& m) {
            "Steps by so many seconds of simulated time, a whole number of steps. Other threads of "
            "Python run meanwhile. Raises RuntimeError when the physics diverges.")
       .def(
-          "config", [](World& w) { return config::PrintConfig(w.simulation().config(), false); },
+          "config",
+          [](PythonWorld& w) { return config::PrintConfig(w.simulation().config(), false); },
           "The configuration in effect, as YAML.");
 }
 

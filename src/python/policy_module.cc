@@ -18,7 +18,7 @@
 #include "config/load.h"
 #include "policy/policy.h"
 #include "python/arguments.h"
-#include "python/world.h"
+#include "python/python_world.h"
 
 namespace understudy::python {
 namespace {
@@ -207,7 +207,7 @@ class BoundNetwork {
 };
 
 robot::RobotSpec SpecOf(const nb::object& robot) {
-  if (nb::isinstance<Robot>(robot)) return nb::cast<const Robot&>(robot).spec();
+  if (nb::isinstance<PythonRobot>(robot)) return nb::cast<const PythonRobot&>(robot).spec();
   const config::Layers layers = LayersOf({robot}, nb::tuple(), nb::dict(), std::nullopt);
   return config::LoadConfig(layers, config::DataDir()).robots[0].spec;
 }

@@ -137,7 +137,7 @@ Guest::Guest(std::size_t index, const config::Config& config)
       strangers_(participant_),
       watched_since_(time::SteadyClock().Now()) {}
 
-assembly::Ports Guest::Open(bool private_network, time::Clock* clock) {
+emulator::Ports Guest::Open(bool private_network, time::Clock* clock) {
   RefuseToStartBeside(&*strangers_, watched_since_, participant_, config_.guard, private_network,
                       clock);
   port_.emplace(participant_, robot().spec, config_.physics.timestep);
@@ -155,7 +155,7 @@ assembly::Ports Guest::Open(bool private_network, time::Clock* clock) {
     for (const config::RobotConfig& one : config_.robots) ours.insert(one.network.domain);
     guard_->ExpectOnly(std::move(ours));
   }
-  return {.port = &*port_, .services = &*services_};
+  return {.topics = &*port_, .services = &*services_};
 }
 
 }  // namespace understudy::run

@@ -87,7 +87,7 @@ class Guest {
 
   // Opens topics and services once no other robot is heard (RefuseToStartBeside), and returns them.
   // Throws NeighbourError, BusError, and ModelError if the robot does not fit into the messages.
-  assembly::Ports Open(bool private_network, time::Clock* clock);
+  emulator::Ports Open(bool private_network, time::Clock* clock);
 
   // After Open:
   Guard& guard() { return *guard_; }

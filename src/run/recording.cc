@@ -58,14 +58,14 @@ record::Damage SheetOf(const emulator::World& world, std::size_t robot) {
 }
 
 // Where the base of a robot stands in the truth.
-record::BaseAddress BaseOf(const physics::World& world, std::size_t robot) {
+record::BaseAddress BaseOf(const physics::MujocoWorld& world, std::size_t robot) {
   const physics::RobotBody& body = world.robot(robot);
   if (body.base_position().empty()) return {};
   return {.qpos = static_cast<std::size_t>(body.base_position().data() - world.data().qpos),
           .qvel = static_cast<std::size_t>(body.base_velocity().data() - world.data().qvel)};
 }
 
-record::ObjectAddresses ObjectsOf(const physics::World& world) {
+record::ObjectAddresses ObjectsOf(const physics::MujocoWorld& world) {
   record::ObjectAddresses objects;
   for (const physics::LooseBody& object : world.objects()) {
     objects[object.name] = {.qpos = object.q, .qvel = object.v};

@@ -43,13 +43,13 @@ std::string WaitsText(const Page& page, const Sleepers& sleepers, bool stands) {
   return text;
 }
 
-Trace::Trace(Page* page, Say say, std::chrono::milliseconds period)
+WaitTrace::WaitTrace(Page* page, Say say, std::chrono::milliseconds period)
     : page_(*page),
       sleepers_(page),
       say_(std::move(say)),
       thread_([this, period](const std::stop_token& stop) { Tell(stop, period); }) {}
 
-void Trace::Tell(const std::stop_token& stop, std::chrono::milliseconds period) {
+void WaitTrace::Tell(const std::stop_token& stop, std::chrono::milliseconds period) {
   std::mutex mutex;
   std::condition_variable_any wake;
   std::unique_lock lock(mutex);

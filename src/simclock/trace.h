@@ -18,12 +18,12 @@ std::string WaitsText(const Page& page, const Sleepers& sleepers, bool stands);
 
 // A thread on real time that tells so every `period`, while anything has changed since. Make it
 // after the program and before the loop takes its core.
-class Trace {
+class WaitTrace {
  public:
   using Say = std::function<void(const std::string& lines)>;
 
   // `page` must outlive it.
-  Trace(Page* page, Say say, std::chrono::milliseconds period = std::chrono::seconds(1));
+  WaitTrace(Page* page, Say say, std::chrono::milliseconds period = std::chrono::seconds(1));
 
  private:
   void Tell(const std::stop_token& stop, std::chrono::milliseconds period);

@@ -89,7 +89,7 @@ TEST_F(MakeWorldTest, GivesEachRobotThePortsOfItsNumber) {
       MakePhysics(&config).world, config,
       [&](std::size_t robot) {
         asked.push_back(robot);
-        return Ports{&port};
+        return emulator::Ports{&port};
       },
       &inbox);
   EXPECT_THAT(asked, testing::ElementsAre(0u));

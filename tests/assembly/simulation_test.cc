@@ -85,7 +85,7 @@ class TorquePort final : public NullPort {
 TEST_F(SimulationTest, APortCommandsTheRobotAndReadsItsState) {
   const config::Config config = ConfigOf("go2", {"start.pose=clamped", "motion.service=none"});
   TorquePort port(config, 2);
-  Simulation simulation(config, [&port](std::size_t) { return Ports{&port}; });
+  Simulation simulation(config, [&port](std::size_t) { return emulator::Ports{&port}; });
   simulation.Step(20);
   EXPECT_NEAR(simulation.world().robot(0).torque()[0], 2, 0.01);
   EXPECT_EQ(port.last.motors.size(), 12u);
@@ -96,7 +96,7 @@ TEST_F(SimulationTest, ACommandToAnotherNumberOfMotorsIsRefusedAndCounted) {
   for (const std::size_t motors : {3U, 20U}) {
     const config::Config config = ConfigOf("go2", {"start.pose=clamped", "motion.service=none"});
     TorquePort port(config, 2, motors);
-    Simulation simulation(config, [&port](std::size_t) { return Ports{&port}; });
+    Simulation simulation(config, [&port](std::size_t) { return emulator::Ports{&port}; });
     simulation.Step(20);
     const authority::GateCounts counts = simulation.world().status(0).commands;
     EXPECT_EQ(counts.accepted, 0U);

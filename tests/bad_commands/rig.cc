@@ -140,7 +140,7 @@ Rig::Rig(const std::string& robot, bool service)
       host_(alias_),
       world_(assembly::MakeWorld(
           assembly::MakePhysics(&config_).world, config_,
-          [this](std::size_t) { return assembly::Ports{&port_}; }, &inbox_)),
+          [this](std::size_t) { return emulator::Ports{&port_}; }, &inbox_)),
       ranges_(world_->physics().robot().ranges()),
       writer_(Join()) {
   if (is_go()) {

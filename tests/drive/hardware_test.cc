@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
@@ -49,7 +49,7 @@ class HardwareTest : public test::MujocoTest {
     spec.buses = {{.name = "leg", .slots = {0}}};
     return spec;
   }();
-  physics::World world_ = test::FixtureWorld(spec_, 0.001);
+  physics::MujocoWorld world_ = test::FixtureWorld(spec_, 0.001);
   robot::FaultBank faults_{spec_, {}, {}, 1};
   std::optional<Hardware> hardware_;
   double t_ = 0;

@@ -31,12 +31,12 @@ class EmulatorTest : public test::MujocoTest {
     return MakeIn(test::FixtureWorld(config_.robots[0].spec, config_.physics.timestep), port, inbox,
                   services);
   }
-  std::unique_ptr<World> MakeIn(physics::World physics, wire::RobotPort* port, Inbox* inbox,
+  std::unique_ptr<World> MakeIn(physics::MujocoWorld physics, wire::RobotPort* port, Inbox* inbox,
                                 services::ServicePort* services = nullptr) const {
     return assembly::MakeWorld(
         std::move(physics), config_,
         [=](std::size_t) {
-          return assembly::Ports{port, services};
+          return emulator::Ports{port, services};
         },
         inbox);
   }

@@ -50,7 +50,7 @@ class LidarTest : public test::MujocoTest {
     world_ = std::make_unique<assembly::Simulation>(
         config::LoadConfig({.robot = robot, .sets = sets}, UNDERSTUDY_SOURCE_DIR),
         [this](std::size_t) {
-          return assembly::Ports{port_.get(), services_.get()};
+          return emulator::Ports{port_.get(), services_.get()};
         });
   }
   void Switch(std::string_view program, bool on) {
@@ -254,7 +254,7 @@ TEST_F(LidarTest, IsAMid360OnTheTorsoOfHumanoids) {
     ASSERT_NEAR(static_cast<double>(clouds.size()), 9, 1);
     ASSERT_EQ(clouds.back().cloud.points.size(), 20'000U);
     const robot::LidarSpec& lidar = world_->config().robots[0].spec.lidar;
-    const physics::World& physics = world_->world().physics();
+    const physics::MujocoWorld& physics = world_->world().physics();
     const int torso = physics.robot().Body("torso_link");
     const Eigen::Matrix3d R_WL =
         mjcf::RotationView(physics.data().xmat + 9 * torso) * robot::FromRollPitchYaw(lidar.rpy);

@@ -29,7 +29,7 @@ class NearestObstacleTest : public test::MujocoTest {
     assembly::Simulation simulation(config::LoadConfig(
         {.robot = "go2", .sets = {"scene=" + scene, "start.pose=" + pose}}, UNDERSTUDY_SOURCE_DIR));
     simulation.Step(2);
-    const physics::World& world = simulation.world().physics();
+    const physics::MujocoWorld& world = simulation.world().physics();
     NearestObstacle nearest(world, 0);
     return nearest.Measure(1, world.data());
   }

@@ -40,7 +40,7 @@ class ObstaclesTest : public test::MujocoTest {
     world_ = std::make_unique<assembly::Simulation>(
         config::LoadConfig({.robot = "go2", .sets = sets}, UNDERSTUDY_SOURCE_DIR),
         [this](std::size_t) {
-          return assembly::Ports{port_.get(), services_.get()};
+          return emulator::Ports{port_.get(), services_.get()};
         });
     services_->Call(
         [switched](authority::MotorOwner* owner) { owner->onboard().avoids = switched; });

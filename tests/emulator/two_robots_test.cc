@@ -43,8 +43,7 @@ struct Spoken {
   RobotParts parts() {
     return {.spec = config.robots[0].spec,
             .settings = config::RobotSettingsOf(config.robots[0]),
-            .port = &port,
-            .services = &services};
+            .ports = {.topics = &port, .services = &services}};
   }
 
   config::Config config;
@@ -112,7 +111,7 @@ class TwoRobotsTest : public test::MujocoTest {
  protected:
   static constexpr int kGo2Hip = 0, kG1WaistYaw = 12;  // slots
 
-  physics::World MakePhysics() {
+  physics::MujocoWorld MakePhysics() {
     const auto placed = [](const Spoken& robot, const char* prefix, double x) {
       return physics::PlacedRobot{.spec = robot.config.robots[0].spec,
                                   .file = kRoot / "models" / robot.config.robots[0].spec.model,
@@ -252,7 +251,7 @@ TEST_F(TwoRobotsTest, AreResetTogetherWithTheObjectsOfTheSceneOrOneAlone) {
     Tick(1);
     return asked->answer.get().why();
   };
-  const physics::World& physics = world_.physics();
+  const physics::MujocoWorld& physics = world_.physics();
   const int box = mj_name2id(&physics.model(), mjOBJ_BODY, "box");
   const auto place = [&] { return physics.data().xpos[3 * box]; };
   const auto clamped = [&](std::size_t robot) { return world_.status(robot).clamped; };

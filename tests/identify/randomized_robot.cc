@@ -45,7 +45,7 @@ Drawn Draw(const std::string& robot, int seed, const ExcitationSpec& excitation)
                 "randomization.damping=[0.6, 1.6]", "randomization.frictionloss=[0.7, 1.4]",
                 "randomization.delay=[0, 0.004]", "sensors.seed=" + std::to_string(seed)}),
       [&](std::size_t) {
-        return assembly::Ports{&port, &services};
+        return emulator::Ports{&port, &services};
       });
   const config::Config& config = simulation.config();
   const config::Config known = Known(robot);

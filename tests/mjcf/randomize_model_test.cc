@@ -10,7 +10,7 @@
 #include <mujoco/mujoco.h>
 
 #include "mjcf/join.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "physics/world_model.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
@@ -137,7 +137,7 @@ TEST_F(RandomizeModelTest, GivesEachBodyAMassOfItsOwnAndInertiaWithIt) {
     sum += mass;
   }
   EXPECT_EQ(drawn_.at("mass/base") == drawn_.at("mass/head"), false);
-  EXPECT_NEAR(physics::World(Randomized({.mass = {0.5, 1.5}}), {{spec_}}).robot().weight(),
+  EXPECT_NEAR(physics::MujocoWorld(Randomized({.mass = {0.5, 1.5}}), {{spec_}}).robot().weight(),
               10 * sum, 1e-9);
 }
 
@@ -156,13 +156,13 @@ TEST_F(RandomizeModelTest, GivesEachBodyAnInertiaOfItsOwnAndLeavesItsMass) {
 // With 5 of 6 kg where they were, the centre of mass of all moves by a sixth of what the base's
 // does.
 TEST_F(RandomizeModelTest, MovesTheBasesCentreOfMassAndNothingThatIsFixedToTheBase) {
-  physics::World before(Load(), {{spec_}});
-  physics::World after(Randomized({.base_com = {0.02, 0.05}}), {{spec_}});
+  physics::MujocoWorld before(Load(), {{spec_}});
+  physics::MujocoWorld after(Randomized({.base_com = {0.02, 0.05}}), {{spec_}});
   const Eigen::Vector3d offset(drawn_.at("base_com/x"), drawn_.at("base_com/y"),
                                drawn_.at("base_com/z"));
   EXPECT_GE(offset.minCoeff(), 0.02);
   EXPECT_LE(offset.maxCoeff(), 0.05);
-  for (physics::World* world : {&before, &after}) {
+  for (physics::MujocoWorld* world : {&before, &after}) {
     world->robot().Reset(spec_.standing);
     world->BeginStep();
   }
@@ -217,7 +217,7 @@ TEST_F(RandomizeModelTest, ScalesArmatureAndFrictionOfEachMotorsJoint) {
 }
 
 TEST_F(RandomizeModelTest, TurnsEachImuFromItsPlaceByTheRotationDrawn) {
-  physics::World world(Randomized({.imu_mounting = {0.1, 0.2}}), {{spec_}});
+  physics::MujocoWorld world(Randomized({.imu_mounting = {0.1, 0.2}}), {{spec_}});
   EXPECT_THAT(drawn_, SizeIs(6));
   world.robot().Reset(spec_.standing);
   const auto rotation = [this](const std::string& site) {
@@ -266,7 +266,7 @@ TEST_F(RandomizeModelTest, LetsContactsGiveWayAsFarAsDrawn) {
 
 TEST_F(RandomizeModelTest, LetsARobotSinkDeeperIntoSoftGround) {
   const auto height = [this](const robot::RandomizationSpec& ranges) {
-    physics::World world(Randomized(ranges), {{spec_}});
+    physics::MujocoWorld world(Randomized(ranges), {{spec_}});
     world.robot().Reset(spec_.standing);
     for (int i = 0; i < 1000; ++i) {
       world.BeginStep();

@@ -104,7 +104,7 @@ class ProtectionTest : public ::testing::Test {
   }
 
   config::Config config_ = ConfigOf("go2");
-  physics::World world_ = PhysicsOf(config_);
+  physics::MujocoWorld world_ = PhysicsOf(config_);
   std::unique_ptr<ProtectedMotion> motion_;
   FakeMotion* bare_ = nullptr;
   std::vector<robot::MotorReading> readings_;
@@ -326,7 +326,7 @@ TEST_F(ProtectionTest, AStartOfTheServiceForgetsWhatWas) {
 TEST(ProtectionSpecTest, TiltIsThatOfTheBaseWhereverTheUnitIs) {
   for (const std::string& robot : test::Robots()) {
     const config::Config config = ConfigOf(robot);
-    physics::World world = PhysicsOf(config);
+    physics::MujocoWorld world = PhysicsOf(config);
     const Eigen::Vector3d up = world.robot().Imu().R_WI * world.robot().imu_up();
     EXPECT_NEAR(std::acos(std::min(up.z(), 1.0)), world.robot().tilt(), 0.02) << robot;
   }

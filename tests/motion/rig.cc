@@ -22,7 +22,7 @@ config::Config ConfigOf(const std::string& robot, const std::vector<std::string>
 
 std::filesystem::path FlatScene() { return kRoot / "models" / "scene" / "flat.xml"; }
 
-physics::World PhysicsOf(config::Config config, const std::filesystem::path& scene) {
+physics::MujocoWorld PhysicsOf(config::Config config, const std::filesystem::path& scene) {
   config.scene = scene;
   return assembly::MakePhysics(&config).world;
 }
@@ -30,14 +30,14 @@ physics::World PhysicsOf(config::Config config, const std::filesystem::path& sce
 MotionRig::MotionRig(const config::Config& config, const std::filesystem::path& scene)
     : MotionRig(config, PhysicsOf(config, scene)) {}
 
-MotionRig::MotionRig(const config::Config& config, physics::World world)
+MotionRig::MotionRig(const config::Config& config, physics::MujocoWorld world)
     : config_(config), torque_(spec().motors.size()), saturated_(spec().motors.size()) {
   port_.KeepTheLastOnly();
 
   world_ = assembly::MakeWorld(
       std::move(world), config,
       [this](std::size_t) {
-        return assembly::Ports{&port_, &services_};
+        return emulator::Ports{&port_, &services_};
       },
       &inbox_);
   services_.Call([](authority::MotorOwner*) {});  // the first makes room for all that follow

@@ -26,7 +26,8 @@ using Verdict = authority::MotionVerdict;
 config::Config ConfigOf(const std::string& robot, const std::vector<std::string>& settings = {});
 std::filesystem::path FlatScene();
 // The robot of `config` in a scene, and nothing that moves it.
-physics::World PhysicsOf(config::Config config, const std::filesystem::path& scene = FlatScene());
+physics::MujocoWorld PhysicsOf(config::Config config,
+                               const std::filesystem::path& scene = FlatScene());
 
 class MotionRig {
  public:
@@ -34,7 +35,7 @@ class MotionRig {
   explicit MotionRig(const config::Config& config,
                      const std::filesystem::path& scene = FlatScene());
   // The same in a world that was made of it.
-  MotionRig(const config::Config& config, physics::World world);
+  MotionRig(const config::Config& config, physics::MujocoWorld world);
 
   // A request, carried out at once.
   void Request(std::string_view name, const nlohmann::json& values = {});
@@ -54,7 +55,7 @@ class MotionRig {
   const robot::RobotSpec& spec() const { return config_.robots[0].spec; }
   test::FakePort& port() { return port_; }
   double time() const { return world_->time(); }  // simulated s
-  const physics::World& world() const { return world_->physics(); }
+  const physics::MujocoWorld& world() const { return world_->physics(); }
   emulator::Robot& robot() { return world_->robot(0); }
   const emulator::EventRing& events() const { return world_->events(); }
   const emulator::Robot& robot() const { return world_->robot(0); }

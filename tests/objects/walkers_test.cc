@@ -9,7 +9,7 @@
 #include "config/load.h"
 #include "objects/walk.h"
 #include "perception/nearest_obstacle.h"
-#include "perception/scene.h"
+#include "perception/ray_caster.h"
 #include "schema/yaml_document.h"
 #include "script/script.h"
 #include "tests/emulator/emulator_test.h"
@@ -147,7 +147,7 @@ TEST_F(WalkersTest, AreMovedByNoRequest) {
 
 TEST_F(WalkersTest, AreMetByRaysWhereTheyAre) {
   Make("[{kind: cart, pos: [2, 0, 0], path: [{to: [4, 0]}]}]");
-  perception::Scene scene(world_->physics().model(), world_->physics().data());
+  perception::RayCaster scene(world_->physics().model(), world_->physics().data());
   const perception::Ray ray{.origin = {1, 0, 0.5}, .direction = {1, 0, 0}};
   EXPECT_NEAR(scene.Cast(ray).distance, 1 + 0.05 - 0.35, 1e-6);
   Tick(1001);

@@ -7,7 +7,7 @@
 #include "assembly/sight_model.h"
 #include "base/errors.h"
 #include "config/load.h"
-#include "perception/scene.h"
+#include "perception/ray_caster.h"
 #include "schema/yaml_document.h"
 #include "script/script.h"
 #include "tests/emulator/emulator_test.h"
@@ -125,8 +125,8 @@ TEST_F(WorldObjectsTest, IsPushedAsideByARobotThatWalks) {
 
 TEST_F(WorldObjectsTest, IsMetByRays) {
   Make("[{kind: crate, pos: [2, 0, 0]}]");
-  const physics::World& physics = world_->physics();
-  perception::Scene scene(physics.model(), physics.data());
+  const physics::MujocoWorld& physics = world_->physics();
+  perception::RayCaster scene(physics.model(), physics.data());
   const perception::Ray ray{.origin = {1, 0, 0.3}, .direction = {1, 0, 0}};
   EXPECT_NEAR(scene.Cast(ray).distance, 0.8, 1e-6);
   Answered("object", {{"object", "crate"}, {"pos", {3, 0, 0}}});

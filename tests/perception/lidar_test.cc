@@ -64,7 +64,7 @@ class LidarTest : public test::MujocoTest {
   robot::LidarSpec spec_;
   sensors::SensorConfig errors_;
   robot::LidarEffects faults_;
-  std::optional<Scene> scene_;
+  std::optional<RayCaster> scene_;
   std::unique_ptr<Lidar> lidar_;
 };
 

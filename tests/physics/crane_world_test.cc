@@ -32,7 +32,7 @@ class CraneWorldTest : public test::MujocoTest {
   double Height() const { return world_.robot().base().p_WB.z(); }
 
   const robot::RobotSpec spec_ = test::FixtureRobot();
-  World world_ = test::FixtureWorld(spec_);
+  MujocoWorld world_ = test::FixtureWorld(spec_);
   Crane crane_{CraneConfig{}};
 };
 

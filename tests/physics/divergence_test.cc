@@ -23,7 +23,7 @@ class DivergenceTest : public test::MujocoTest {
 
   const test::TemporaryFolder folder_;
   const std::filesystem::path before_ = std::filesystem::current_path();
-  World world_ = test::FixtureWorld();
+  MujocoWorld world_ = test::FixtureWorld();
 };
 
 TEST_F(DivergenceTest, IsReportedForAnAccelerationBeyondReason) {

@@ -4,7 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include "config/load.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "physics/world_model.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
@@ -27,7 +27,7 @@ class FixedBaseTest : public test::MujocoTest {
                {{config_.robots[0].spec}}) {}
 
   config::Config config_;
-  World world_;
+  MujocoWorld world_;
 };
 
 TEST_F(FixedBaseTest, HasTheMotorsOfItsDescription) { EXPECT_EQ(world_.robot().q().size(), 2u); }

@@ -25,7 +25,7 @@ class ForcesTest : public test::MujocoTest {
   Eigen::Vector3d Base() const { return world_.Point(base_, {0, 0, 0}).p_WP; }
 
   robot::RobotSpec spec_ = test::FixtureRobot();
-  World world_ = test::FixtureWorld(spec_, 0.001);
+  MujocoWorld world_ = test::FixtureWorld(spec_, 0.001);
   int base_ = world_.robot().Body("base");
   std::int64_t step_ = 0;
 };

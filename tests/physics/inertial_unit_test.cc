@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "physics/world_model.h"
 #include "tests/physics/kicks.h"
 #include "tests/support/fixture_robot.h"
@@ -35,7 +35,8 @@ TEST_F(InertialUnitTest, FeelsBitForBitWhatMujocosSensorsDo) {
       </sensor>)");
   const auto scene = folder.Write("ground.xml", R"(<mujoco><worldbody>
       <geom type="plane" size="0 0 1" contype="0" conaffinity="1"/></worldbody></mujoco>)");
-  World world(LoadWorldModel({{spec, folder.Write("robot.xml", text)}}, scene, 0.001), {{spec}});
+  MujocoWorld world(LoadWorldModel({{spec, folder.Write("robot.xml", text)}}, scene, 0.001),
+                    {{spec}});
   world.robot().Reset({.q = spec.standing.q, .height = 0.35});
 
   const mjcf::ModelHandle model(mj_copyModel(nullptr, &world.model()));
@@ -61,7 +62,7 @@ TEST_F(InertialUnitTest, WithoutASiteReadsNothing) {
   robot::RobotSpec spec = test::FixtureRobot();
   spec.imu.secondary_site.clear();
   const auto scene = folder.Write("space.xml", "<mujoco><worldbody/></mujoco>");
-  World world(LoadWorldModel({{spec, spec.model}}, scene, 0.001), {{spec}});
+  MujocoWorld world(LoadWorldModel({{spec, spec.model}}, scene, 0.001), {{spec}});
   world.BeginStep();
   ASSERT_EQ(world.EndStep(), StepHealth::kFine);
   EXPECT_EQ(world.robot().SecondaryImu().f_WI_I.norm(), 0);

@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 
 namespace understudy::physics {
 
 // Makes a step of the world with torques on its six joints, and the same step of `whole`, which is
 // of `model`, a copy of the world's, by mj_step.
-inline void Kick(int step, World* world, const mjModel& model, mjData* whole) {
+inline void Kick(int step, MujocoWorld* world, const mjModel& model, mjData* whole) {
   const std::vector<robot::MotorSpec>& motors = world->robot().spec().motors;
   std::vector<double> tau(motors.size());
   for (std::size_t i = 0; i < tau.size(); ++i) {

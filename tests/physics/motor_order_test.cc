@@ -32,7 +32,7 @@ class MotorOrderTest : public test::MujocoTest {
   }
 
   const robot::RobotSpec spec_ = test::FixtureRobot();
-  World world_ = test::FixtureWorld(spec_);
+  MujocoWorld world_ = test::FixtureWorld(spec_);
 };
 
 TEST_F(MotorOrderTest, ResetSetsEachJointByName) {

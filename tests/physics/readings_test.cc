@@ -26,7 +26,7 @@ constexpr char kBall[] = R"(
   </worldbody>
 </mujoco>)";
 
-World Ball(const std::string& gravity) {
+MujocoWorld Ball(const std::string& gravity) {
   const test::TemporaryFolder folder;
   std::string text = kBall;
   text.replace(text.find("%s"), 2, gravity);
@@ -35,9 +35,10 @@ World Ball(const std::string& gravity) {
   spec.crane_body = "ball";
   spec.imu.site = "imu";
   spec.imu.secondary_site = "back";
-  World world(LoadWorldModel({{spec, folder.Write("ball.xml", text)}},
-                             folder.Write("space.xml", "<mujoco><worldbody/></mujoco>"), 0.001),
-              {{spec}});
+  MujocoWorld world(
+      LoadWorldModel({{spec, folder.Write("ball.xml", text)}},
+                     folder.Write("space.xml", "<mujoco><worldbody/></mujoco>"), 0.001),
+      {{spec}});
   world.robot().Reset({.q = {}, .height = 10});
   return world;
 }
@@ -50,12 +51,12 @@ void ExpectNear(const Eigen::Vector3d& actual, const Eigen::Vector3d& expected,
 
 class BallTest : public test::MujocoTest {
  protected:
-  void Step(World* world) {
+  void Step(MujocoWorld* world) {
     world->BeginStep();
     EXPECT_EQ(world->EndStep(), StepHealth::kFine);
   }
   // One step under a force on the point p_WP.
-  void Push(World* world, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W) {
+  void Push(MujocoWorld* world, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W) {
     world->BeginStep();
     world->AddForce(world->robot().Body("ball"), p_WP, force_W);
     EXPECT_EQ(world->EndStep(), StepHealth::kFine);
@@ -63,7 +64,7 @@ class BallTest : public test::MujocoTest {
 };
 
 TEST_F(BallTest, FeelsNothingWhileItFalls) {
-  World world = Ball("-10");
+  MujocoWorld world = Ball("-10");
   for (int i = 0; i < 100; ++i) Step(&world);
   ExpectNear(world.robot().Imu().f_WI_I, {0, 0, 0});
   ExpectNear(world.robot().base().v_WB_W,
@@ -71,7 +72,7 @@ TEST_F(BallTest, FeelsNothingWhileItFalls) {
 }
 
 TEST_F(BallTest, FeelsWhatCarriesIt) {
-  World world = Ball("-10");
+  MujocoWorld world = Ball("-10");
   Push(&world, {0, 0, 10}, {0, 0, 10});
   ExpectNear(world.robot().Imu().f_WI_I, {0, 0, 10});
   ExpectNear(world.robot().SecondaryImu().f_WI_I, {0, 0, -10});  // its own z points down
@@ -80,7 +81,7 @@ TEST_F(BallTest, FeelsWhatCarriesIt) {
 // Position, rate and acceleration of one t: at rest at 10 m with 2 m/s² in the step of the force,
 // 0.002 m/s without any in the next.
 TEST_F(BallTest, ReadsPositionRateAndAccelerationOfOneInstant) {
-  World world = Ball("0");
+  MujocoWorld world = Ball("0");
   Push(&world, {0, 0, 10}, {2, 0, 0});
   ExpectNear(world.robot().base().p_WB, {0, 0, 10});
   ExpectNear(world.robot().base().v_WB_W, {0, 0, 0});
@@ -92,7 +93,7 @@ TEST_F(BallTest, ReadsPositionRateAndAccelerationOfOneInstant) {
 }
 
 TEST_F(BallTest, MovesByForceOverMassForOneStepOnly) {
-  World world = Ball("0");
+  MujocoWorld world = Ball("0");
   Push(&world, {0, 0, 10}, {0, 3, 0});
   for (int i = 0; i < 5; ++i) {
     Step(&world);
@@ -101,7 +102,7 @@ TEST_F(BallTest, MovesByForceOverMassForOneStepOnly) {
 }
 
 TEST_F(BallTest, AddsUpForces) {
-  World world = Ball("0");
+  MujocoWorld world = Ball("0");
   world.BeginStep();
   world.AddForce(world.robot().Body("ball"), {0, 0, 10}, {1, 0, 0});
   world.AddForce(world.robot().Body("ball"), {0, 0, 10}, {2, 5, 0});
@@ -110,7 +111,7 @@ TEST_F(BallTest, AddsUpForces) {
 }
 
 TEST_F(BallTest, ForgetsAForceOnReset) {
-  World world = Ball("0");
+  MujocoWorld world = Ball("0");
   world.AddForce(world.robot().Body("ball"), {0, 0, 10}, {1, 0, 0});
   world.robot().Reset({.q = {}, .height = 10});
   Step(&world);
@@ -128,7 +129,7 @@ TEST_F(BallTest, GyroFollowsTheRightHandRule) {
                         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
                         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (const Spin& spin : spins) {
-    World world = Ball("0");
+    MujocoWorld world = Ball("0");
     Push(&world, Eigen::Vector3d(0, 0, 10) + spin.arm, spin.force);
     Step(&world);
     ExpectNear(world.robot().Imu().w_WI_I, 0.001 * spin.axis);
@@ -138,7 +139,7 @@ TEST_F(BallTest, GyroFollowsTheRightHandRule) {
 }
 
 TEST_F(BallTest, KnowsHowItsUnitsAreTurned) {
-  World world = Ball("0");
+  MujocoWorld world = Ball("0");
   EXPECT_NEAR(world.robot().Imu().R_WI.angularDistance(Eigen::Quaterniond::Identity()), 0, 1e-9);
   EXPECT_NEAR(world.robot().SecondaryImu().R_WI.angularDistance(Eigen::Quaterniond(0, 1, 0, 0)), 0,
               1e-9);
@@ -147,7 +148,7 @@ TEST_F(BallTest, KnowsHowItsUnitsAreTurned) {
 // 1 N along y at 1 m along x for 1 ms: the centre moves with 1 mm/s and the ball turns with 1
 // mrad/s.
 TEST_F(BallTest, PointVelocityIsThatOfItsPlaceOnTheBody) {
-  World world = Ball("0");
+  MujocoWorld world = Ball("0");
   Push(&world, {1, 0, 10}, {0, 1, 0});
   world.BeginStep();
   const int ball = world.robot().Body("ball");
@@ -158,7 +159,7 @@ TEST_F(BallTest, PointVelocityIsThatOfItsPlaceOnTheBody) {
 }
 
 TEST_F(BallTest, TiltIsTheAngleToTheVertical) {
-  World world = Ball("0");
+  MujocoWorld world = Ball("0");
   EXPECT_EQ(world.robot().tilt(), 0);
   // A quarter turn about y in 1 s: 1571 N·m for 1 ms, and a second to wait.
   Push(&world, {0, 0, 11}, {1000 * std::numbers::pi / 2, 0, 0});
@@ -172,7 +173,7 @@ TEST_F(BallTest, WeighsMassTimesGravity) {
 }
 
 TEST_F(BallTest, HasNoBodyOfAnotherName) {
-  const World world = Ball("0");
+  const MujocoWorld world = Ball("0");
   EXPECT_THROW(world.robot().Body("cube"), SetupError);
 }
 

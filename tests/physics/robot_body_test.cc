@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "physics/world_model.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
@@ -43,7 +43,7 @@ constexpr char kBody[] = R"(
 
 class RobotBodyTest : public test::MujocoTest {
  protected:
-  static World Make(const Eigen::Vector3d& axis, double yaw = 0) {
+  static MujocoWorld Make(const Eigen::Vector3d& axis, double yaw = 0) {
     const test::TemporaryFolder folder;
     robot::RobotSpec spec;
     spec.base_body = spec.crane_body = "base";
@@ -52,7 +52,7 @@ class RobotBodyTest : public test::MujocoTest {
     spec.motors.push_back({.joint = "arm_joint", .slot = 1});
     spec.feet = {{.name = "foot", .geoms = {"heel", "toe"}, .axis = axis}};
     const PlacedRobot placed{.spec = spec, .file = folder.Write("body.xml", kBody), .yaw = yaw};
-    World world(
+    MujocoWorld world(
         LoadWorldModel({placed},
                        folder.Write("scene.xml",
                                     "<mujoco><worldbody><geom type=\"plane\" size=\"9 9 1\"/>"
@@ -70,7 +70,7 @@ class RobotBodyTest : public test::MujocoTest {
     world_.robot().FrictionPower(power);
     return power[0];
   }
-  double FootForce(World* world) {
+  double FootForce(MujocoWorld* world) {
     for (int i = 0; i < 3000; ++i) {
       world->BeginStep();
       EXPECT_EQ(world->EndStep(), StepHealth::kFine);
@@ -92,7 +92,7 @@ class RobotBodyTest : public test::MujocoTest {
     return world_.robot().q()[0] - before;
   }
 
-  World world_ = Make({0, 0, 0});
+  MujocoWorld world_ = Make({0, 0, 0});
 };
 
 TEST_F(RobotBodyTest, TellsThePowerOfDryAndViscousFrictionEitherWay) {
@@ -141,8 +141,8 @@ TEST_F(RobotBodyTest, KnowsTheRangesAndArmaturesOfItsJoints) {
 
 TEST_F(RobotBodyTest, FeelsWhatIsAlongItsFootsAxisOfAllThatTouchesIt) {
   EXPECT_NEAR(FootForce(&world_), 30, 0.1);
-  World down = Make({0, 0, -1}), up = Make({0, 0, 1}), aslant = Make({0, 0.6, 0.8}),
-        aside = Make({1, 0, 0});
+  MujocoWorld down = Make({0, 0, -1}), up = Make({0, 0, 1}), aslant = Make({0, 0.6, 0.8}),
+              aside = Make({1, 0, 0});
   EXPECT_NEAR(FootForce(&down), 30, 0.1);
   EXPECT_NEAR(FootForce(&up), 30, 0.1);
   EXPECT_NEAR(FootForce(&aslant), 24, 0.1);
@@ -151,14 +151,14 @@ TEST_F(RobotBodyTest, FeelsWhatIsAlongItsFootsAxisOfAllThatTouchesIt) {
 
 // Its pose is that of its file, turned with its place about the vertical.
 TEST_F(RobotBodyTest, IsPutIntoItsPoseAndThenTurnedAsItIsPlaced) {
-  World world = Make({0, 0, 0}, M_PI / 2);
+  MujocoWorld world = Make({0, 0, 0}, M_PI / 2);
   world.robot().Reset({.q = {0, 0}, .height = 1, .quat = {std::cos(0.25), 0, std::sin(0.25), 0}});
   const Eigen::Vector3d ahead = world.robot().Imu().R_WI * Eigen::Vector3d::UnitX();
   EXPECT_LT((ahead - Eigen::Vector3d(0, std::cos(0.5), -std::sin(0.5))).norm(), 1e-9);
 }
 
 TEST_F(RobotBodyTest, RunsBitForBitAsAFreshOneOnceItHasBeenReset) {
-  const auto run = [](World* world) {
+  const auto run = [](MujocoWorld* world) {
     world->robot().Reset({.q = {0, 1}, .height = 0.1});
     world->robot().SetRates(std::vector<double>{3, 2});
     for (int i = 0; i < 50; ++i) {
@@ -167,7 +167,7 @@ TEST_F(RobotBodyTest, RunsBitForBitAsAFreshOneOnceItHasBeenReset) {
     }
     return std::vector<double>(world->data().qpos, world->data().qpos + world->model().nq);
   };
-  World used = Make({0, 0, 0}), fresh = Make({0, 0, 0});
+  MujocoWorld used = Make({0, 0, 0}), fresh = Make({0, 0, 0});
   used.robot().SetRates(std::vector<double>{-20, -20});
   FootForce(&used);
   EXPECT_EQ(run(&used), run(&fresh));

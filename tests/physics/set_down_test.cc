@@ -6,7 +6,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "physics/world_model.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
@@ -32,11 +32,11 @@ class SetDownTest : public test::MujocoTest {
 
   // Height of the base when it is put at `height` over such ground.
   double Base(const std::string& ground, double height) {
-    World world(LoadWorldModel({{spec_, folder_.Write("robot.xml", kRobot)}},
-                               folder_.Write("ground.xml", "<mujoco><worldbody>" + ground +
-                                                               "</worldbody></mujoco>"),
-                               0.001),
-                {{spec_}});
+    MujocoWorld world(LoadWorldModel({{spec_, folder_.Write("robot.xml", kRobot)}},
+                                     folder_.Write("ground.xml", "<mujoco><worldbody>" + ground +
+                                                                     "</worldbody></mujoco>"),
+                                     0.001),
+                      {{spec_}});
     robot::PoseSpec pose;
     pose.q = {0};
     pose.height = height;
@@ -88,7 +88,7 @@ TEST_F(SetDownTest, StandsWhereItIsPlacedAndAsTurned) {
       "ground.xml", "<mujoco><worldbody>" + Plane("0") + Box("2 1 0") + "</worldbody></mujoco>");
   const PlacedRobot placed{
       .spec = spec_, .file = folder_.Write("robot.xml", kRobot), .x = 2, .y = 1, .yaw = 0.5};
-  World world(LoadWorldModel({placed}, ground, 0.001), {placed});
+  MujocoWorld world(LoadWorldModel({placed}, ground, 0.001), {placed});
   robot::PoseSpec pose;
   pose.q = {0};
   pose.height = 0.3;

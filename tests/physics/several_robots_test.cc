@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 #include "config/load.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "physics/world_model.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
@@ -32,8 +32,8 @@ PlacedRobot OfProject(const std::string& name, double x) {
   return {.spec = spec, .file = kSource / "models" / spec.model, .prefix = name + "/", .x = x};
 }
 
-World Load(const std::vector<PlacedRobot>& robots, const std::filesystem::path& scene,
-           LoadNotes* notes = nullptr) {
+MujocoWorld Load(const std::vector<PlacedRobot>& robots, const std::filesystem::path& scene,
+                 LoadNotes* notes = nullptr) {
   return {LoadWorldModel(robots, scene, 0.001, notes), robots};
 }
 
@@ -48,7 +48,7 @@ std::vector<double> State(const RobotBody& robot) {
   return state;
 }
 
-void StandFor(int steps, World* world, std::size_t robots) {
+void StandFor(int steps, MujocoWorld* world, std::size_t robots) {
   for (int step = 0; step < steps; ++step) {
     world->BeginStep();
     for (std::size_t i = 0; i < robots; ++i) {
@@ -68,7 +68,7 @@ class TwoRobotsTest : public test::MujocoTest {
   }
 
   const robot::RobotSpec spec_ = test::FixtureRobot();
-  World world_ =
+  MujocoWorld world_ =
       Load({Fixture("a/", 0, 0), Fixture("b/", 3, 1)}, test::FixtureFile("fixture_ground.xml"));
   RobotBody& a_ = world_.robot(0);
   RobotBody& b_ = world_.robot(1);
@@ -168,16 +168,16 @@ class Go2AndG1Test : public test::MujocoTest {
 };
 
 TEST_F(Go2AndG1Test, MoveAsTheyDoAlone) {
-  World both = Load({go2_, g1_}, flat_);
+  MujocoWorld both = Load({go2_, g1_}, flat_);
   PlacedRobot only = go2_;
   only.prefix = "";
-  World alone = Load({only}, flat_);
+  MujocoWorld alone = Load({only}, flat_);
   both.robot(0).Reset(go2_.spec.standing);
   both.robot(1).Reset(g1_.spec.hanging);
   both.robot(1).Clamp(true);
   alone.robot().Reset(go2_.spec.standing);
   for (int step = 0; step < 500; ++step) {
-    for (World* world : {&both, &alone}) {
+    for (MujocoWorld* world : {&both, &alone}) {
       world->BeginStep();
       world->robot().Drive(test::Hold(world->robot(), go2_.spec.lying.q));
       ASSERT_EQ(world->EndStep(), StepHealth::kFine);
@@ -191,11 +191,11 @@ TEST_F(Go2AndG1Test, MoveAsTheyDoAlone) {
 
 // What the compiler makes of each joint, geom and body is the same with a prefix as without.
 TEST_F(Go2AndG1Test, HaveTheFiguresTheyHaveAlone) {
-  const World both = Load({go2_, g1_}, flat_);
+  const MujocoWorld both = Load({go2_, g1_}, flat_);
   const mjModel& joined = both.model();
   for (PlacedRobot robot : {go2_, g1_}) {
     const std::string prefix = std::exchange(robot.prefix, "");
-    const World world = Load({robot}, flat_);
+    const MujocoWorld world = Load({robot}, flat_);
     const mjModel& own = world.model();
     int compared = 0;
     const auto expect_same = [&](mjtObj type, int id, const auto& of, const char* what, int count) {
@@ -260,7 +260,7 @@ TEST_F(Go2AndG1Test, HaveTheOptionsOfTheFirst) {
 // The fixture's file leaves limits to autolimits, the Go2's switches them off; the fixture's
 // defaults have no name.
 TEST_F(Go2AndG1Test, StandBesideARobotWithOtherDefaults) {
-  const World world = Load({go2_, Fixture("f/", 4, 0)}, flat_);
+  const MujocoWorld world = Load({go2_, Fixture("f/", 4, 0)}, flat_);
   const mjModel& model = world.model();
   const int trunk = mj_name2id(&model, mjOBJ_GEOM, "f/trunk");
   EXPECT_EQ(model.geom_conaffinity[trunk], 0);

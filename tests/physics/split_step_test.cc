@@ -23,7 +23,7 @@ TEST_P(SplitStepTest, EqualsTheWholeStepBitForBit) {
       folder.Write("ground.xml", std::string(R"(<mujoco><option integrator=")") + GetParam() +
                                      R"("/><worldbody><geom type="plane" size="0 0 1"
                                          contype="0" conaffinity="1"/></worldbody></mujoco>)");
-  World world(LoadWorldModel({{spec, spec.model}}, scene, 0.001), {{spec}});
+  MujocoWorld world(LoadWorldModel({{spec, spec.model}}, scene, 0.001), {{spec}});
   world.robot().Reset({.q = spec.standing.q, .height = 0.35});
 
   const mjcf::ModelHandle model(mj_copyModel(nullptr, &world.model()));

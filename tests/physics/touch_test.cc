@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "physics/world_model.h"
 #include "robot/hand_law.h"
 #include "tests/support/mujoco_test.h"
@@ -56,9 +56,9 @@ class TouchTest : public test::MujocoTest {
     spec.base_body = spec.crane_body = "hand";
     spec.imu.site = "skin";
     spec.hands = {{.name = "felt", .pads = pads, .touch = {.spread = 0.004}}};
-    World world(LoadWorldModel({{spec, folder.Write("slab.xml", text)}},
-                               folder.Write("scene.xml", kBallOnSlab), 0.001),
-                {{spec}});
+    MujocoWorld world(LoadWorldModel({{spec, folder.Write("slab.xml", text)}},
+                                     folder.Write("scene.xml", kBallOnSlab), 0.001),
+                      {{spec}});
     for (int i = 0; i < 2000; ++i) {
       world.BeginStep();
       ASSERT_EQ(world.EndStep(), StepHealth::kFine);
@@ -157,7 +157,7 @@ std::vector<std::vector<double>> Felt(double x, const std::string& side, int rob
                       .prefix = robots == 1 ? "" : "robot" + std::to_string(i) + "/",
                       .y = 3.0 * i});
   }
-  World world(LoadWorldModel(placed, folder.Write("scene.xml", ball), 0.001), placed);
+  MujocoWorld world(LoadWorldModel(placed, folder.Write("scene.xml", ball), 0.001), placed);
   for (int i = 0; i < 2000; ++i) {
     world.BeginStep();
     EXPECT_EQ(world.EndStep(), StepHealth::kFine);

@@ -4,7 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include "base/errors.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
@@ -146,7 +146,7 @@ TEST_F(WorldModelTest, ComputesNoSensorOfTheModels) {
 TEST_F(WorldModelTest, AddsAClampThatIsOff) {
   mjcf::ModelHandle model = Load();
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_EQUALITY, kClampName), 0);
-  EXPECT_FALSE(World(std::move(model), {{spec_}}).robot().clamped());
+  EXPECT_FALSE(MujocoWorld(std::move(model), {{spec_}}).robot().clamped());
 }
 
 TEST_F(WorldModelTest, SwitchesTheModelsOwnActuatorsOff) {
@@ -244,14 +244,14 @@ TEST_F(WorldModelTest, TakesAnotherHandsNamesForWhatIsFittedAndSaysSo) {
   EXPECT_EQ(fitted.spec.crane_body, "pelvis");
   EXPECT_EQ(fitted.spec.motors[0].joint, "knee_joint");
   EXPECT_EQ(notes.warnings.size(), 2u);
-  EXPECT_EQ(World(std::move(fitted.model), {{fitted.spec}}).robot().q().size(), 1u);
+  EXPECT_EQ(MujocoWorld(std::move(fitted.model), {{fitted.spec}}).robot().q().size(), 1u);
 }
 
 TEST_F(WorldModelTest, GoesWithoutFeetThatAreNotFoundAndSaysSo) {
   spec_.feet = {{.name = "left", .geoms = {"sole"}}, {.name = "right", .geoms = {"sohle"}}};
   LoadNotes notes;
   FittedModel fitted = LoadFitted(&notes);
-  World world(std::move(fitted.model), {{fitted.spec}});
+  MujocoWorld world(std::move(fitted.model), {{fitted.spec}});
   ASSERT_EQ(notes.warnings.size(), 1u);
   EXPECT_THAT(notes.warnings[0],
               AllOf(HasSubstr("foot right"), HasSubstr("none"), HasSubstr("robot.feet.1.geoms")));

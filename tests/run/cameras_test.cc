@@ -45,7 +45,7 @@ class CamerasTest : public test::MujocoTest {
     config_.robots[0].spec.cameras = {front, back};
     world_ = assembly::MakeWorld(
         test::FixtureWorld(config_.robots[0].spec, config_.physics.timestep), config_,
-        [this](std::size_t) { return assembly::Ports{&port_}; }, &inbox_);
+        [this](std::size_t) { return emulator::Ports{&port_}; }, &inbox_);
     Start("draws.py", "socket");
   }
   ~CamerasTest() override { spdlog::set_default_logger(before_); }

@@ -53,7 +53,7 @@ class LoopTest : public test::MujocoTest {
     world_ = assembly::MakeWorld(
         test::FixtureWorld(config_.robots[0].spec, config_.physics.timestep), config_,
         [this](std::size_t) {
-          return assembly::Ports{&port_, &services_};
+          return emulator::Ports{&port_, &services_};
         },
         &inbox_);
   }

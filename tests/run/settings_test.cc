@@ -54,7 +54,7 @@ class Played {
         world_(assembly::MakeWorld(
             std::move(made_.world), config_,
             [this](std::size_t) {
-              return assembly::Ports{&port_, &host_};
+              return emulator::Ports{&port_, &host_};
             },
             &inbox_)) {
     for (const bus::TopicOnBus& topic : bus::EndpointWatch(participant_).Poll()) {

@@ -63,7 +63,7 @@ class SensorsTest : public test::MujocoTest {
 
   robot::RobotSpec spec_ = test::FixtureRobot();
   robot::RobotCommand command_ = Moving();
-  physics::World world_ = test::FixtureWorld(spec_);
+  physics::MujocoWorld world_ = test::FixtureWorld(spec_);
   robot::MotorBank motors_{spec_, 0.001};
   robot::Battery battery_{spec_.battery};
   robot::Board board_{spec_};

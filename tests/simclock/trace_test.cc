@@ -86,7 +86,7 @@ TEST_F(TraceTest, TellsOnceWhereNothingChanges) {
   std::mutex mutex;
   std::string told;
   std::atomic<int> times = 0;
-  const Trace trace(
+  const WaitTrace trace(
       page_.get(),
       [&](const std::string& lines) {
         const std::lock_guard lock(mutex);

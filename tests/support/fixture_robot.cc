@@ -83,7 +83,7 @@ config::Config FixtureConfig() {
   return config;
 }
 
-physics::World FixtureWorld(const robot::RobotSpec& spec, double timestep) {
+physics::MujocoWorld FixtureWorld(const robot::RobotSpec& spec, double timestep) {
   return {
       physics::LoadWorldModel({{spec, spec.model}}, FixtureFile("fixture_ground.xml"), timestep),
       {{spec}}};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/config.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::test {
@@ -24,7 +24,8 @@ robot::RobotSpec FixtureRobotWithHand();
 config::Config FixtureConfig();
 
 // The fixture robot, or another one with the same model, on its ground.
-physics::World FixtureWorld(const robot::RobotSpec& spec = FixtureRobot(), double timestep = 0.001);
+physics::MujocoWorld FixtureWorld(const robot::RobotSpec& spec = FixtureRobot(),
+                                  double timestep = 0.001);
 
 std::filesystem::path FixtureFile(const std::string& name);  // in tests/data
 

@@ -8,7 +8,7 @@
 #include <mujoco/mujoco.h>
 
 #include "config/load.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "tests/terrain/fixture.h"
 
 namespace understudy::terrain {
@@ -141,9 +141,9 @@ TEST_F(PlacesTest, CarryARobotThatMeetsTheFloorAlone) {
         config::LoadConfig({.robot = name, .files = {}, .sets = {}}, root);
     const robot::RobotSpec& spec = config.robots[0].spec;
     for (const std::string& place : PlaceNames()) {
-      physics::World world{physics::LoadWorldModel({{spec, root / "models" / spec.model}},
-                                                   Write(place) / "scene.xml", 0.001),
-                           {{spec}}};
+      physics::MujocoWorld world{physics::LoadWorldModel({{spec, root / "models" / spec.model}},
+                                                         Write(place) / "scene.xml", 0.001),
+                                 {{spec}}};
       const int floor = mj_name2id(&world.model(), mjOBJ_GEOM, "floor");
       world.robot().Reset(spec.lying);
       const std::vector<double> tau(world.robot().q().size());

@@ -8,7 +8,7 @@
 #include <mujoco/mujoco.h>
 
 #include "config/load.h"
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 #include "tests/terrain/fixture.h"
 
 namespace understudy::terrain {
@@ -24,7 +24,7 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
     if (GetParam().kind == "image") UseImage();
   }
 
-  physics::World World() {
+  physics::MujocoWorld World() {
     const robot::RobotSpec& spec = config_.robots[0].spec;
     return {physics::LoadWorldModel({{spec, data_dir_ / "models" / spec.model}},
                                     Write(GetParam().kind) / "scene.xml", 0.001),
@@ -33,7 +33,7 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
 
   // How far [m] the robot is out of the ground, negative for inside, when it is `lowered` [m] by
   // that from where it is; 1 where nothing touches.
-  static double Clearance(const physics::World& world, double lowered) {
+  static double Clearance(const physics::MujocoWorld& world, double lowered) {
     const mjModel& model = world.model();
     const mjcf::DataHandle data(mj_copyData(nullptr, &model, &world.data()));
     data->qpos[2] -= lowered;
@@ -61,7 +61,7 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
 
 TEST_P(TerrainOfKindTest, CarriesTheRobotWithoutAWarning) {
   spec_.difficulty = 1;
-  physics::World world = World();
+  physics::MujocoWorld world = World();
   world.robot().Reset(config_.robots[0].spec.lying);
   const std::vector<double> tau(world.robot().q().size());
   for (int i = 0; i < 200; ++i) {
@@ -73,7 +73,7 @@ TEST_P(TerrainOfKindTest, CarriesTheRobotWithoutAWarning) {
 }
 
 TEST_P(TerrainOfKindTest, HasTheRobotOnThePlatformAtTheStart) {
-  physics::World world = World();
+  physics::MujocoWorld world = World();
   for (const robot::PoseSpec* pose :
        {&config_.robots[0].spec.standing, &config_.robots[0].spec.lying}) {
     world.robot().Reset(*pose);
@@ -92,7 +92,7 @@ TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
     for (int body = 1; body < model->nbody; ++body) {
       if (model->body_weldid[body] == 0) model->body_pos[3 * body] -= start;
     }
-    physics::World world(std::move(model), {{config_.robots[0].spec}});
+    physics::MujocoWorld world(std::move(model), {{config_.robots[0].spec}});
     for (const robot::PoseSpec* pose :
          {&config_.robots[0].spec.standing, &config_.robots[0].spec.lying}) {
       world.robot().Reset(*pose);
@@ -104,7 +104,7 @@ TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
 
 TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
   spec_.friction = 0.3;  // less than any robot's own
-  physics::World world = World();
+  physics::MujocoWorld world = World();
   world.robot().Reset(config_.robots[0].spec.standing);
   const std::vector<double> tau(world.robot().q().size());
   int touching = 0;
@@ -126,7 +126,7 @@ TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
 
 TEST_P(TerrainOfKindTest, RubsAsMuchAsIsSetLaterUntilThatIsTakenBack) {
   spec_.difficulty = 0.7;
-  physics::World world = World();
+  physics::MujocoWorld world = World();
   const mjModel& model = world.model();
   const std::vector<mjtNum> before(model.geom_friction, model.geom_friction + 3 * model.ngeom);
   world.SetGroundFriction(0.3);

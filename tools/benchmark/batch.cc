@@ -98,7 +98,7 @@ class Alone {
  public:
   Alone(const Kind& kind, const config::Config& config)
       : port_(config.robots[0].spec, config.physics.timestep),
-        run_(config, [this](std::size_t) { return assembly::Ports{&port_}; }),
+        run_(config, [this](std::size_t) { return emulator::Ports{&port_}; }),
         bare_(&run_) {
     run_.Step();
     std::vector<float> q;

@@ -42,7 +42,7 @@ std::vector<Figure> MeasureEstimate(const std::string& robot) {
   Watch(&alone, kSettleTime);
   const Error standing = Watch(&alone, kStand);
   Error pushed;
-  const physics::World& physics = alone.world().physics();
+  const physics::MujocoWorld& physics = alone.world().physics();
   const double impulse =
       kSpeed * physics.SubtreeMass(physics.FindBody(config.robots[0].spec.base_body));
   for (const auto& [x, y] :

@@ -11,7 +11,7 @@
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "perception/lidar.h"
-#include "perception/scene.h"
+#include "perception/ray_caster.h"
 #include "process.h"
 
 namespace understudy::bench {
@@ -59,10 +59,10 @@ std::vector<Figure> Measure(const std::string& place, const Device& device,
                             const config::Config& config, int clouds) {
   assembly::Simulation simulation(config);
   simulation.Step(2000);
-  const physics::World& physics = simulation.world().physics();
+  const physics::MujocoWorld& physics = simulation.world().physics();
   const mjModel& model = physics.model();
   const mjData& data = physics.data();
-  perception::Scene scene(model, data);
+  perception::RayCaster scene(model, data);
   const robot::RobotSpec& spec = simulation.config().robots[0].spec;
   const int body = physics.robot().Body(spec.lidar.body.empty() ? spec.base_body : spec.lidar.body);
   const auto rays = RaysFrom(physics.robot().base().p_WB + Eigen::Vector3d(0.3, 0, -0.15));

@@ -65,7 +65,7 @@ class BodyModelTest : public test::MujocoTest, public testing::WithParamInterfac
 
   config::Config config_ = ConfigOf(GetParam());
   const robot::RobotSpec& spec_ = config_.robots[0].spec;
-  physics::World world_ = PhysicsOf(config_);
+  physics::MujocoWorld world_ = PhysicsOf(config_);
   mjcf::DataHandle data_{mj_makeData(&world_.model())};
   BodyModel body_{world_.model(), spec_};
   std::vector<int> dof_;
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest, testing::ValuesIn(test::Humanoid
 using BodyModelMisuseTest = test::MujocoTest;
 
 TEST_F(BodyModelMisuseTest, RefusesAFootWithoutGeoms) {
-  const physics::World world = PhysicsOf(ConfigOf("g1"));
+  const physics::MujocoWorld world = PhysicsOf(ConfigOf("g1"));
   robot::RobotSpec spec = world.robot().spec();
   spec.feet[1] = {.name = "tail", .geoms = {"none"}};
   EXPECT_THROW(BodyModel(world.model(), spec), ModelError);

@@ -12,7 +12,7 @@ class HumanoidSensesTest : public test::MujocoTest {};
 
 TEST_F(HumanoidSensesTest, PassesOnWhatAWalkingControllerNeeds) {
   const config::Config config = ConfigOf("g1");
-  const physics::World world = PhysicsOf(config);
+  const physics::MujocoWorld world = PhysicsOf(config);
   HumanoidSenses senses(world.robot().nominal(), config.robots[0].spec);
   std::vector<robot::MotorReading> motors(config.robots[0].spec.motors.size());
   motors[3].q = 0.4;

@@ -133,7 +133,7 @@ Outcome TryHumanoid(const Trial& trial, const Watch& watch) {
   for (const robot::Drawn& drawn : randomizer.draws().values) {
     spdlog::info("{} {}: {}", drawn.quantity, drawn.element, drawn.value);
   }
-  physics::World world = assembly::MakePhysics(&config).world;
+  physics::MujocoWorld world = assembly::MakePhysics(&config).world;
   HumanoidRig rig(config, std::move(world));
   rig.Start("standing");
   rig.Run(kSettle);

@@ -150,7 +150,7 @@ TEST_F(HumanoidWalkTest, ShiftsItsWeightBeforeItStepsAhead) {
   const auto apart = [&] {  // m, aside
     std::array<Vector3d, 2> feet;
     for (std::size_t i = 0; i < feet.size(); ++i) {
-      const physics::World& world = g1.world();
+      const physics::MujocoWorld& world = g1.world();
       const int geom =
           mj_name2id(&world.model(), mjOBJ_GEOM, g1.spec().feet[i].geoms.front().c_str());
       feet[i] = Vector3d(world.data().geom_xpos + 3 * geom);

@@ -27,7 +27,7 @@ const std::array<Vector3d, 4> kAngles{Vector3d(0, 0.8, -1.5), Vector3d(0.4, 1.2,
 class QuadrupedLegTest : public testing::TestWithParam<std::string> {
  protected:
   config::Config config_ = ConfigOf(GetParam());
-  physics::World world_ = PhysicsOf(config_);
+  physics::MujocoWorld world_ = PhysicsOf(config_);
   physics::RobotBody& robot_ = world_.robot();
   QuadrupedFigures figures_ = ReadQuadruped(robot_);
 };
@@ -152,8 +152,8 @@ TEST_P(QuadrupedLegTest, LosesByFrictionWhatTheModelsJointsLose) {
 TEST_P(QuadrupedLegTest, KnowsItselfAsItWasBuilt) {
   mjcf::ModelHandle heavier = mjcf::CopyOf(world_.model());
   for (int body = 0; body < heavier->nbody; ++body) heavier->body_mass[body] *= 1.5;
-  const physics::World world(std::move(heavier), {{config_.robots[0].spec}},
-                             mjcf::CopyOf(world_.model()));
+  const physics::MujocoWorld world(std::move(heavier), {{config_.robots[0].spec}},
+                                   mjcf::CopyOf(world_.model()));
   EXPECT_EQ(ReadQuadruped(world.robot()).mass, figures_.mass);
   EXPECT_EQ(ReadQuadruped(world.robot()).trunk.mass, figures_.trunk.mass);
 }
@@ -161,7 +161,7 @@ TEST_P(QuadrupedLegTest, KnowsItselfAsItWasBuilt) {
 TEST_P(QuadrupedLegTest, FindsFeetThatTheModelDoesNotName) {
   robot::RobotSpec spec = config_.robots[0].spec;
   for (robot::FootSpec& foot : spec.feet) foot.geoms = {"none"};
-  const physics::World world(mjcf::CopyOf(world_.model()), {{spec}});
+  const physics::MujocoWorld world(mjcf::CopyOf(world_.model()), {{spec}});
   const QuadrupedFigures found = ReadQuadruped(world.robot());
   for (std::size_t leg = 0; leg < 4; ++leg) {
     EXPECT_EQ(found.legs[leg].foot, figures_.legs[leg].foot) << leg;
@@ -177,7 +177,7 @@ TEST_P(QuadrupedLegTest, MeasuresAFootThatIsNoBall) {
   model->geom_type[geom] = mjGEOM_ELLIPSOID;
   mju_unit4(model->geom_quat + 4 * geom);
   std::ranges::copy(std::array{0.01, 0.02, 0.03}, model->geom_size + 3 * geom);
-  const physics::World world(std::move(model), {{spec}});
+  const physics::MujocoWorld world(std::move(model), {{spec}});
   const LegFigures leg = ReadQuadruped(world.robot()).legs[2];
   EXPECT_NEAR(leg.radius, 0.03, 1e-9);
   EXPECT_NEAR(leg.half_width, spec.kind == robot::RobotKind::kWheeled ? 0.02 : 0, 1e-9);
@@ -186,7 +186,7 @@ TEST_P(QuadrupedLegTest, MeasuresAFootThatIsNoBall) {
 TEST_P(QuadrupedLegTest, RefusesALegWithoutAFoot) {
   robot::RobotSpec spec = config_.robots[0].spec;
   spec.feet[1] = {.name = "tail", .geoms = {"none"}};
-  const physics::World world(mjcf::CopyOf(world_.model()), {{spec}});
+  const physics::MujocoWorld world(mjcf::CopyOf(world_.model()), {{spec}});
   EXPECT_THROW(ReadQuadruped(world.robot()), ModelError);
 }
 

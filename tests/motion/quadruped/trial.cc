@@ -174,7 +174,7 @@ Outcome Try(const Trial& trial, const Watch& watch) {
   for (const robot::Drawn& drawn : randomizer.draws().values) {
     spdlog::info("{} {}: {}", drawn.quantity, drawn.element, drawn.value);
   }
-  physics::World world = assembly::MakePhysics(&config).world;
+  physics::MujocoWorld world = assembly::MakePhysics(&config).world;
   MotionRig rig(config, std::move(world));
   const double impulse = trial.push * rig.world().robot().weight() / 9.81;
 

@@ -1,4 +1,4 @@
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ constexpr int kDivergenceWarnings[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BA
 
 }  // namespace
 
-World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
-             mjcf::ModelHandle nominal, mjcf::DataHandle memory)
+MujocoWorld::MujocoWorld(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
+                         mjcf::ModelHandle nominal, mjcf::DataHandle memory)
     : model_(std::move(model)), nominal_(std::move(nominal)), data_(std::move(memory)) {
   if (data_ == nullptr) {
     data_ = mjcf::MakeData(*model_);
@@ -52,7 +52,7 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
 }
 
 // What cannot move and is no robot's, such as the base of one that is bolted down.
-bool World::IsGround(int geom) const {
+bool MujocoWorld::IsGround(int geom) const {
   const int body = model_->geom_bodyid[geom];
   return model_->body_weldid[body] == 0 &&
          std::none_of(robots_.begin(), robots_.end(),
@@ -60,7 +60,7 @@ bool World::IsGround(int geom) const {
 }
 
 // Of two geoms that touch MuJoCo uses the friction of that with the higher priority.
-void World::SetGroundFriction(double friction) {
+void MujocoWorld::SetGroundFriction(double friction) {
   for (const Ground& ground : ground_) {
     const bool own = friction == 0;
     model_->geom_friction[3 * ground.geom] = own ? ground.friction : friction * ground.factor;
@@ -68,7 +68,7 @@ void World::SetGroundFriction(double friction) {
   }
 }
 
-std::array<double, 2> World::GroundFriction() const {
+std::array<double, 2> MujocoWorld::GroundFriction() const {
   std::array<double, 2> range{std::numeric_limits<double>::infinity(), 0};
   for (const Ground& ground : ground_) {
     if (!Collides(*model_, ground.geom)) continue;
@@ -78,7 +78,7 @@ std::array<double, 2> World::GroundFriction() const {
   return range;
 }
 
-void World::Walk(std::span<const objects::ObjectSpec> objects) {
+void MujocoWorld::Walk(std::span<const objects::ObjectSpec> objects) {
   const std::vector<std::string> names = objects::NamesOf(objects);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (!objects::Walks(objects[i])) continue;
@@ -95,7 +95,7 @@ void World::Walk(std::span<const objects::ObjectSpec> objects) {
 
 // Gives them pose and velocity, so that what they touch meets a surface that moves, and holds them
 // up, so that none of it is drawn down with them.
-void World::MoveWalkers() {
+void MujocoWorld::MoveWalkers() {
   const double t = static_cast<double>(walked_) * model_->opt.timestep;
   for (const Walker& walker : walkers_) {
     const objects::WalkPose at = walker.walk.At(t);
@@ -112,7 +112,7 @@ void World::MoveWalkers() {
   }
 }
 
-void World::Reset() {
+void MujocoWorld::Reset() {
   mjcf::ResetData(*model_, data_.get());
   walked_ = 0;
   MoveWalkers();
@@ -123,12 +123,12 @@ void World::Reset() {
   }
 }
 
-void World::BeginStep() {
+void MujocoWorld::BeginStep() {
   mj_step1(model_.get(), data_.get());
   for (RobotBody& robot : robots_) robot.ReadMotion();
 }
 
-StepHealth World::EndStep() {
+StepHealth MujocoWorld::EndStep() {
   mj_step2(model_.get(), data_.get());
   ++walked_;
   MoveWalkers();
@@ -142,7 +142,7 @@ StepHealth World::EndStep() {
   return health;
 }
 
-void World::AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W) {
+void MujocoWorld::AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W) {
   const Eigen::Vector3d arm = p_WP - Vector(data_->xipos + 3 * body);
   const Eigen::Vector3d torque = arm.cross(force_W);
   mjtNum* wrench = data_->xfrc_applied + 6 * body;
@@ -150,37 +150,39 @@ void World::AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3
   mju_addTo3(wrench + 3, torque.data());
 }
 
-const LooseBody* World::FindObject(std::string_view name) const {
+const LooseBody* MujocoWorld::FindObject(std::string_view name) const {
   const auto found = std::ranges::find(objects_, name, &LooseBody::name);
   return found == objects_.end() ? nullptr : &*found;
 }
 
-const LooseBody* World::ObjectOf(int body) const {
+const LooseBody* MujocoWorld::ObjectOf(int body) const {
   const auto found = std::ranges::find(objects_, model_->body_rootid[body], &LooseBody::body);
   return found == objects_.end() ? nullptr : &*found;
 }
 
-std::span<const double> World::ObjectPosition(const LooseBody& object) const {
+std::span<const double> MujocoWorld::ObjectPosition(const LooseBody& object) const {
   return {data_->qpos + object.q, 7};
 }
 
-std::span<const double> World::ObjectVelocity(const LooseBody& object) const {
+std::span<const double> MujocoWorld::ObjectVelocity(const LooseBody& object) const {
   return {data_->qvel + object.v, 6};
 }
 
-void World::PlaceObject(const LooseBody& object, const Eigen::Vector3d& p_WP, double yaw) {
+void MujocoWorld::PlaceObject(const LooseBody& object, const Eigen::Vector3d& p_WP, double yaw) {
   Place(object, p_WP, yaw, *model_, data_.get());
 }
 
-int World::FindBody(const std::string& name) const {
+int MujocoWorld::FindBody(const std::string& name) const {
   return mj_name2id(model_.get(), mjOBJ_BODY, name.c_str());
 }
 
-Eigen::Vector3d World::CenterOfMass(int body) const { return Vector(data_->xipos + 3 * body); }
+Eigen::Vector3d MujocoWorld::CenterOfMass(int body) const {
+  return Vector(data_->xipos + 3 * body);
+}
 
-double World::SubtreeMass(int body) const { return model_->body_subtreemass[body]; }
+double MujocoWorld::SubtreeMass(int body) const { return model_->body_subtreemass[body]; }
 
-PointReading World::Point(int body, const Eigen::Vector3d& p_BP) const {
+PointReading MujocoWorld::Point(int body, const Eigen::Vector3d& p_BP) const {
   PointReading point;
   const mjcf::RotationView R_WB(data_->xmat + 9 * body);
   const Eigen::Vector3d offset = R_WB * p_BP;
@@ -191,6 +193,6 @@ PointReading World::Point(int body, const Eigen::Vector3d& p_BP) const {
   return point;
 }
 
-double World::timestep() const { return model_->opt.timestep; }
+double MujocoWorld::timestep() const { return model_->opt.timestep; }
 
 }  // namespace understudy::physics

@@ -37,13 +37,13 @@ enum class StepHealth {
 // Between EndStep and the next BeginStep every reading still belongs to t. After a robot's Reset
 // and before the first BeginStep readings are those of the start state; before Reset that is the
 // pose of the model's file. Allocates in the constructor only.
-class World {
+class MujocoWorld {
  public:
   // `model` comes from LoadWorldModel with the same robots. `nominal` is what it was before chance
   // changed it; null: the same. `memory` is that of a former world of the same files, which this
   // one takes over; null: it gets its own.
-  World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
-        mjcf::ModelHandle nominal = nullptr, mjcf::DataHandle memory = nullptr);
+  MujocoWorld(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
+              mjcf::ModelHandle nominal = nullptr, mjcf::DataHandle memory = nullptr);
 
   // Ends this world. The next one may have its memory.
   mjcf::DataHandle TakeMemory() && { return std::move(data_); }

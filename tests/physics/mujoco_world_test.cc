@@ -1,4 +1,4 @@
-#include "physics/world.h"
+#include "physics/mujoco_world.h"
 
 #include <cmath>
 #include <numeric>
@@ -23,7 +23,7 @@ class WorldTest : public test::MujocoTest {
   }
 
   const robot::RobotSpec spec_ = test::FixtureRobot();
-  World world_ = test::FixtureWorld(spec_);
+  MujocoWorld world_ = test::FixtureWorld(spec_);
 };
 
 TEST_F(WorldTest, IsInThePoseOfItsFileBeforeAnything) {
@@ -184,7 +184,7 @@ TEST_F(WorldTest, LetsGoOnReset) {
 TEST_F(WorldTest, HasADefaultReadingWhereThereIsNoSecondUnit) {
   robot::RobotSpec spec = spec_;
   spec.imu.secondary_site.clear();
-  World world = test::FixtureWorld(spec);
+  MujocoWorld world = test::FixtureWorld(spec);
   world.robot().Reset({.q = spec.standing.q, .height = 1});
   EXPECT_EQ(world.robot().SecondaryImu().f_WI_I, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(world.robot().SecondaryImu().R_WI.w(), 1);
@@ -192,7 +192,7 @@ TEST_F(WorldTest, HasADefaultReadingWhereThereIsNoSecondUnit) {
 
 TEST_F(WorldTest, MovesOnInAnotherOwner) {
   world_.robot().Reset({.q = spec_.standing.q, .height = 2});
-  const World moved = std::move(world_);
+  const MujocoWorld moved = std::move(world_);
   EXPECT_EQ(moved.robot().base().p_WB.z(), 2);
   EXPECT_EQ(moved.robot().q().size(), 6U);
 }

@@ -1,4 +1,4 @@
-#include "perception/scene.h"
+#include "perception/ray_caster.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ std::vector<Box> BoxesOf(const std::vector<Shape>& shapes) {
 
 }  // namespace
 
-Scene::Scene(const mjModel& model, const mjData& data) {
+RayCaster::RayCaster(const mjModel& model, const mjData& data) {
   std::map<std::pair<int, int>, std::shared_ptr<const Triangles>> shared;  // by type and mesh
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const int type = model.geom_type[geom];
@@ -51,7 +51,7 @@ Scene::Scene(const mjModel& model, const mjData& data) {
   moving_tree_ = BoxTree(boxes_, kLeaf);
 }
 
-void Scene::Follow(std::int64_t step, const mjData& data) {
+void RayCaster::Follow(std::int64_t step, const mjData& data) {
   if (std::exchange(followed_, step) == step) return;
   for (Shape& plane : planes_) plane.Follow(data);
   for (std::size_t i = 0; i < moving_.size(); ++i) {
@@ -61,7 +61,7 @@ void Scene::Follow(std::int64_t step, const mjData& data) {
   moving_tree_.Refit(boxes_);
 }
 
-Hit Scene::Cast(const Ray& ray, std::span<const int> without) const {
+Hit RayCaster::Cast(const Ray& ray, std::span<const int> without) const {
   Hit hit;
   const auto meet = [&](const Shape& shape) {
     const double distance = shape.Distance(ray, hit.distance);
@@ -76,7 +76,7 @@ Hit Scene::Cast(const Ray& ray, std::span<const int> without) const {
 }
 
 // A line through a point within a convex solid meets it on both sides.
-std::vector<int> Scene::Around(const Eigen::Vector3d& p_WP) const {
+std::vector<int> RayCaster::Around(const Eigen::Vector3d& p_WP) const {
   std::vector<int> around;
   for (const std::vector<Shape>* const shapes : {&still_, &moving_}) {
     for (const Shape& shape : *shapes) {

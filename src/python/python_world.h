@@ -15,12 +15,12 @@
 namespace understudy::python {
 
 // For one thread. Does not move.
-class World : public std::enable_shared_from_this<World> {
+class PythonWorld : public std::enable_shared_from_this<PythonWorld> {
  public:
   // Throws ConfigError or ModelError.
-  explicit World(const config::Layers& layers);
+  explicit PythonWorld(const config::Layers& layers);
   // As assembly::Simulation's: of the same configuration, without compiling it again.
-  explicit World(const assembly::Simulation& like);
+  explicit PythonWorld(const assembly::Simulation& like);
 
   // As assembly::Simulation::Begin; commands that wait and events that nobody has taken are gone.
   void Begin(int seed, const std::vector<assembly::Place>& at = {});
@@ -43,11 +43,11 @@ class World : public std::enable_shared_from_this<World> {
 };
 
 // One robot of a world, which it keeps.
-class Robot {
+class PythonRobot {
  public:
-  Robot(std::shared_ptr<World> world, std::size_t index);
+  PythonRobot(std::shared_ptr<PythonWorld> world, std::size_t index);
 
-  World& world() const { return *world_; }
+  PythonWorld& world() const { return *world_; }
   std::size_t index() const { return index_; }
   const robot::RobotSpec& spec() const;
   const physics::RobotBody& body() const;
@@ -65,7 +65,7 @@ class Robot {
   void Request(const std::string& name, const std::string& values) const;
 
  private:
-  std::shared_ptr<World> world_;
+  std::shared_ptr<PythonWorld> world_;
   std::size_t index_;
 };
 

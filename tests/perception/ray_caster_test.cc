@@ -1,4 +1,4 @@
-#include "perception/scene.h"
+#include "perception/ray_caster.h"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ using ::testing::IsEmpty;
 class SceneTest : public test::MujocoTest {};
 
 // Returns how many of `count` rays hit something.
-int Compare(const Scene& scene, test::RandomScene* random, int count) {
+int Compare(const RayCaster& scene, test::RandomScene* random, int count) {
   int hits = 0;
   for (int i = 0; i < count; ++i) {
     const Ray ray = random->Ray();
@@ -34,7 +34,7 @@ TEST_F(SceneTest, IsMetWhereMujocoSaysByAnyRay) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
     test::RandomScene random(seed);
-    Scene scene(*random.model, *random.data);
+    RayCaster scene(*random.model, *random.data);
     EXPECT_GT(Compare(scene, &random, 3000), 1500);
     for (int i = 0; i < 3; ++i) {
       random.Move();
@@ -46,7 +46,7 @@ TEST_F(SceneTest, IsMetWhereMujocoSaysByAnyRay) {
 
 TEST_F(SceneTest, NamesTheGeomThatIsMet) {
   test::RandomScene random(3);
-  const Scene scene(*random.model, *random.data);
+  const RayCaster scene(*random.model, *random.data);
   for (int i = 0; i < 1000; ++i) {
     const Ray ray = random.Ray();
     EXPECT_EQ(scene.Cast(ray).geom, random.Slowly(ray).geom) << i;
@@ -55,7 +55,7 @@ TEST_F(SceneTest, NamesTheGeomThatIsMet) {
 
 TEST_F(SceneTest, IsMetBehindWhatIsLeftOut) {
   test::RandomScene random(4);
-  const Scene scene(*random.model, *random.data);
+  const RayCaster scene(*random.model, *random.data);
   int further = 0;
   for (int i = 0; i < 500; ++i) {
     const Ray ray = random.Ray();
@@ -78,7 +78,7 @@ TEST_F(SceneTest, KnowsInWhichGeomsAPointLies) {
         <geom type="box" size="1 1 1" contype="0" conaffinity="0"/></worldbody></mujoco>)"));
   const mjcf::DataHandle data(mj_makeData(model.get()));
   mj_kinematics(model.get(), data.get());
-  const Scene scene(*model, *data);
+  const RayCaster scene(*model, *data);
   EXPECT_THAT(scene.Around({0, 0, 0}), ElementsAre(0));
   EXPECT_THAT(scene.Around({0.9, 0, 0}), ElementsAre(0, 1));
   EXPECT_THAT(scene.Around({1.3, 0, 0}), ElementsAre(1));
@@ -87,7 +87,7 @@ TEST_F(SceneTest, KnowsInWhichGeomsAPointLies) {
 
 TEST_F(SceneTest, FollowsAStepOnce) {
   test::RandomScene random(3);
-  Scene scene(*random.model, *random.data);
+  RayCaster scene(*random.model, *random.data);
   std::vector<Ray> rays;
   for (int i = 0; i < 300; ++i) rays.push_back(random.Ray());
   const auto distances = [&] {
@@ -106,7 +106,7 @@ TEST_F(SceneTest, FollowsAStepOnce) {
 
 TEST_F(SceneTest, AllocatesNothingByRayOrInstant) {
   test::RandomScene random(5);
-  Scene scene(*random.model, *random.data);
+  RayCaster scene(*random.model, *random.data);
   const std::uint64_t before = test::Allocations();
   int hits = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -125,7 +125,7 @@ TEST_F(SceneTest, HasNoGeomThatNothingTouches) {
         <geom type="sphere" size="1" contype="0" conaffinity="0"/></worldbody></mujoco>)"));
   const mjcf::DataHandle data(mj_makeData(model.get()));
   mj_kinematics(model.get(), data.get());
-  EXPECT_EQ(Scene(*model, *data).Cast({{-3, 0, 0}, {1, 0, 0}}).geom, -1);
+  EXPECT_EQ(RayCaster(*model, *data).Cast({{-3, 0, 0}, {1, 0, 0}}).geom, -1);
 }
 
 }  // namespace

@@ -16,10 +16,10 @@ namespace understudy::perception {
 // still, made once, one of what moves. What a ray meets, and where, is what mj_ray says but for
 // rounding (1e-9 m); mj_ray tries every geom and every triangle. Allocates in the constructor only;
 // Cast may be called from several threads.
-class Scene {
+class RayCaster {
  public:
   // `data` has the model's kinematics. The scene keeps nothing of either.
-  Scene(const mjModel& model, const mjData& data);
+  RayCaster(const mjModel& model, const mjData& data);
 
   // Takes the poses of a step of the same model, once however often it is called for that step.
   void Follow(std::int64_t step, const mjData& data);

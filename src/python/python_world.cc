@@ -1,4 +1,4 @@
-#include "python/world.h"
+#include "python/python_world.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -11,7 +11,7 @@
 
 namespace understudy::python {
 
-World::World(const config::Layers& layers) {
+PythonWorld::PythonWorld(const config::Layers& layers) {
   const config::Config config = config::LoadConfig(layers, config::DataDir());
   for (const config::RobotConfig& robot : config.robots) {
     ports_.emplace_back(robot.spec, config.physics.timestep);
@@ -20,7 +20,7 @@ World::World(const config::Layers& layers) {
   BeginPorts();
 }
 
-World::World(const assembly::Simulation& like) {
+PythonWorld::PythonWorld(const assembly::Simulation& like) {
   for (const config::RobotConfig& robot : like.config().robots) {
     ports_.emplace_back(robot.spec, like.config().physics.timestep);
   }
@@ -28,7 +28,7 @@ World::World(const assembly::Simulation& like) {
   BeginPorts();
 }
 
-void World::Begin(int seed, const std::vector<assembly::Place>& at) {
+void PythonWorld::Begin(int seed, const std::vector<assembly::Place>& at) {
   if (seed < 0) throw std::invalid_argument("begin: expected a seed of 0 or more");
   try {
     simulation_->Begin(seed, at);
@@ -41,11 +41,11 @@ void World::Begin(int seed, const std::vector<assembly::Place>& at) {
   BeginPorts();
 }
 
-assembly::PortsOf World::OwnPorts() {
-  return [this](std::size_t robot) { return assembly::Ports{&ports_[robot]}; };
+assembly::PortsOf PythonWorld::OwnPorts() {
+  return [this](std::size_t robot) { return emulator::Ports{&ports_[robot]}; };
 }
 
-void World::BeginPorts() {
+void PythonWorld::BeginPorts() {
   const config::Config& config = simulation_->config();
   for (std::size_t i = 0; i < ports_.size(); ++i) {
     ports_[i] = assembly::CommandPort(config.robots[i].spec, config.physics.timestep);
@@ -53,7 +53,7 @@ void World::BeginPorts() {
   events_.assign(ports_.size(), emulator::EventRing::Reader(&simulation_->world().events()));
 }
 
-int World::StepsOf(double seconds) const {
+int PythonWorld::StepsOf(double seconds) const {
   const double timestep = simulation_->config().physics.timestep;
   const double steps = seconds / timestep;
   constexpr double kMost = 1e9;
@@ -64,7 +64,7 @@ int World::StepsOf(double seconds) const {
   return static_cast<int>(std::lround(steps));
 }
 
-std::vector<emulator::ToldEvent> World::TakeEvents(std::size_t robot) {
+std::vector<emulator::ToldEvent> PythonWorld::TakeEvents(std::size_t robot) {
   std::vector<emulator::ToldEvent> taken;
   emulator::Event event;
   while (events_[robot].Next(&event)) {
@@ -74,20 +74,22 @@ std::vector<emulator::ToldEvent> World::TakeEvents(std::size_t robot) {
   return taken;
 }
 
-Robot::Robot(std::shared_ptr<World> world, std::size_t index)
+PythonRobot::PythonRobot(std::shared_ptr<PythonWorld> world, std::size_t index)
     : world_(std::move(world)), index_(index) {}
 
-const robot::RobotSpec& Robot::spec() const {
+const robot::RobotSpec& PythonRobot::spec() const {
   return world_->simulation().config().robots[index_].spec;
 }
 
-const physics::RobotBody& Robot::body() const {
+const physics::RobotBody& PythonRobot::body() const {
   return world_->simulation().world().physics().robot(index_);
 }
 
-const emulator::Robot& Robot::part() const { return world_->simulation().world().robot(index_); }
+const emulator::Robot& PythonRobot::part() const {
+  return world_->simulation().world().robot(index_);
+}
 
-std::size_t Robot::TopicOf(const std::string& topic) const {
+std::size_t PythonRobot::TopicOf(const std::string& topic) const {
   const std::vector<std::string>& topics = part().topics();
   std::string known;
   for (std::size_t i = 0; i < topics.size(); ++i) {
@@ -99,7 +101,7 @@ std::size_t Robot::TopicOf(const std::string& topic) const {
                               "'");
 }
 
-robot::RobotCommand Robot::CommandOf(std::size_t topic) const {
+robot::RobotCommand PythonRobot::CommandOf(std::size_t topic) const {
   using enum robot::HandLaw::Follows;
   robot::RobotCommand command;
   if (topic < robot::kFirstHandTopic) {
@@ -118,13 +120,13 @@ robot::RobotCommand Robot::CommandOf(std::size_t topic) const {
   return command;
 }
 
-const robot::RobotState& Robot::lowstate() const {
+const robot::RobotState& PythonRobot::lowstate() const {
   const robot::RobotState& state = world_->port(index_).lowstate();
   if (state.motors.empty()) throw std::runtime_error("state: there is none before the first step");
   return state;
 }
 
-void Robot::Request(const std::string& name, const std::string& values) const {
+void PythonRobot::Request(const std::string& name, const std::string& values) const {
   nlohmann::json object = nlohmann::json::parse(values);
   if (index_ > 0 && !object.contains("robot")) object["robot"] = index_;
   world_->simulation().Request(name, object);
