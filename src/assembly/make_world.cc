@@ -66,8 +66,13 @@ bool IsThirdParty(const config::RobotConfig& robot) {
   return !std::filesystem::path(robot.spec.model).is_relative();
 }
 
+struct Loaded {
+  mjcf::ModelHandle model;
+  std::shared_ptr<const terrain::Scan> scan;  // null: the scene is none
+};
+
 // A third-party model may have other names than the robot's description, which then takes them.
-mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
+Loaded LoadModel(config::Config* config, Notes* notes) {
   const config::SceneFile scene(config->scene, config->terrain);
   const physics::Surroundings around(scene.path(), config->objects);
   const double timestep = config->physics.timestep;
@@ -92,22 +97,24 @@ mjcf::ModelHandle LoadModel(config::Config* config, Notes* notes) {
   if (config->physics.contacts == config::ContactModel::kPyramid) physics::UsePyramids(model.get());
   malloc_trim(0);  // compiling needs many times the memory of the result, which may be locked later
   Add(std::move(loaded), notes);
-  return model;
+  return {std::move(model), scene.scan()};
 }
 
 // Returns LoadModel's result, or a copy of what `reused` has for this time step.
-mjcf::ModelHandle LoadOrCopyModel(config::Config* config, Reused* reused, Notes* notes) {
+Loaded LoadOrCopyModel(config::Config* config, Reused* reused, Notes* notes) {
   if (reused == nullptr) return LoadModel(config, notes);
   std::shared_ptr<const CompiledModel>& kept = reused->models[config->physics.timestep];
   if (kept == nullptr) {
     auto made = std::make_shared<CompiledModel>();
-    made->model = LoadModel(config, &made->notes);
+    Loaded loaded = LoadModel(config, &made->notes);
+    made->model = std::move(loaded.model);
+    made->scan = std::move(loaded.scan);
     for (const config::RobotConfig& robot : config->robots) made->specs.push_back(robot.spec);
     kept = std::move(made);
   }
   for (std::size_t i = 0; i < config->robots.size(); ++i) config->robots[i].spec = kept->specs[i];
   notes->insert(notes->end(), kept->notes.begin(), kept->notes.end());
-  return mjcf::CopyOf(*kept->model);
+  return {mjcf::CopyOf(*kept->model), kept->scan};
 }
 
 // Those at which every robot can send.
@@ -149,12 +156,13 @@ void CheckMotion(const config::RobotConfig& robot, const physics::RobotBody& bod
 }
 
 // `config` has the names of the model.
-MadePhysics Made(const config::Config& config, mjcf::ModelHandle model, mjcf::ModelHandle nominal,
+MadePhysics Made(const config::Config& config, Loaded loaded, mjcf::ModelHandle nominal,
                  robot::Draws draws, Notes notes, Reused* reused) {
   std::vector<physics::PlacedRobot> placed = PlacedRobots(config);
-  physics::MujocoWorld world(std::move(model), placed, std::move(nominal),
+  physics::MujocoWorld world(std::move(loaded.model), placed, std::move(nominal),
                              reused == nullptr ? nullptr : std::move(reused->memory));
   world.Walk(config.objects);
+  world.Show(std::move(loaded.scan));
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (IsThirdParty(config.robots[i])) CheckMotion(config.robots[i], world.robot(i), &notes);
     const std::string& look = config.robots[i].look;
@@ -173,25 +181,25 @@ MadePhysics MakePhysics(config::Config* config, Reused* reused) {
   Notes notes;
   robot::RandomizationSpec& ranges = config->randomization;
   if (!config::IsRandom(ranges)) {
-    mjcf::ModelHandle model = LoadOrCopyModel(config, reused, &notes);
-    return Made(*config, std::move(model), nullptr, {}, std::move(notes), reused);
+    Loaded loaded = LoadOrCopyModel(config, reused, &notes);
+    return Made(*config, std::move(loaded), nullptr, {}, std::move(notes), reused);
   }
   ranges.seed = SeedOf(ranges, &notes);
   robot::Randomizer randomizer(ranges.seed);
   if (!ranges.timestep.empty()) {
     config->physics.timestep = randomizer.DrawOneOf("timestep", PossibleTimesteps(*config));
   }
-  mjcf::ModelHandle model = LoadOrCopyModel(config, reused, &notes);
-  mjcf::ModelHandle nominal = mjcf::CopyOf(*model);
+  Loaded loaded = LoadOrCopyModel(config, reused, &notes);
+  mjcf::ModelHandle nominal = mjcf::CopyOf(*loaded.model);
   std::vector<robot::RobotSpec> in_model;
   for (config::RobotConfig& robot : config->robots) {
     const std::string prefix = config->PrefixOf(robot);
     robot::RandomizeMotors(ranges, prefix, &randomizer, &robot.spec);
     in_model.push_back(mjcf::WithPrefix(prefix, robot.spec));
   }
-  mjcf::RandomizeModel(ranges, in_model, &randomizer, model.get());
+  mjcf::RandomizeModel(ranges, in_model, &randomizer, loaded.model.get());
   Add(randomizer.draws(), &notes);
-  return Made(*config, std::move(model), std::move(nominal), randomizer.draws(), std::move(notes),
+  return Made(*config, std::move(loaded), std::move(nominal), randomizer.draws(), std::move(notes),
               reused);
 }
 

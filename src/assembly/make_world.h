@@ -37,6 +37,7 @@ struct CompiledModel {
   mjcf::ModelHandle model;
   std::vector<robot::RobotSpec> specs;  // of the robots, with the names of the model
   std::vector<Note> notes;              // on the models
+  std::shared_ptr<const physics::MujocoWorld::Scan> scan;  // null: the scene is none
 };
 
 // What the next worlds of a configuration take over from those before. Empty at first.

@@ -32,7 +32,7 @@ std::shared_ptr<const mjModel> SightModel::Get() const {
     const config::SceneFile scene(config_.scene, config_.terrain);
     std::vector<std::string> looks;
     for (const config::RobotConfig& robot : config_.robots) looks.push_back(robot.look);
-    model_ = physics::LoadSightModel(PlacedRobots(config_), {scene.path(), config_.objects},
+    model_ = physics::LoadSightModel(PlacedRobots(config_), {scene.sight(), config_.objects},
                                      config_.physics.timestep, looks);
     malloc_trim(0);  // compiling needs many times the memory of the result
   }

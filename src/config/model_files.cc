@@ -41,8 +41,9 @@ std::vector<std::filesystem::path> HandModelFiles(const robot::RobotSpec& robot)
 }
 
 SceneFile::SceneFile(const std::string& scene, const terrain::TerrainSpec& terrain) {
-  if (!terrain::IsTerrain(scene)) {
-    path_ = FindFile(scene);
+  const bool is_scan = mjcf::IsMeshFile(scene);
+  if (!terrain::IsTerrain(scene) && !is_scan) {
+    path_ = sight_ = FindFile(scene);
     return;
   }
   try {
@@ -50,8 +51,14 @@ SceneFile::SceneFile(const std::string& scene, const terrain::TerrainSpec& terra
   } catch (const SetupError& error) {
     throw ModelError(error.what());
   }
-  path_ = made_->path() / "scene.xml";
-  terrain::WriteTerrain(scene, terrain, made_->path());
+  path_ = sight_ = made_->path() / "scene.xml";
+  if (!is_scan) {
+    terrain::WriteTerrain(scene, terrain, made_->path());
+    return;
+  }
+  scan_ = std::make_shared<const terrain::Scan>(terrain::ReadScan(FindFile(scene), terrain.scan));
+  terrain::WriteScan(*scan_, terrain, made_->path());
+  sight_ = made_->path() / "sight.xml";
 }
 
 }  // namespace understudy::config

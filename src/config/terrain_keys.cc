@@ -13,6 +13,23 @@ void DescribePatch(Archive& a, terrain::TerrainPatch& p) {
   a.Key(UNDERSTUDY_NVP(p.image), {"As terrain.image, which \"\" stands for"});
 }
 
+void DescribeScan(Archive& a, terrain::ScanSpec& s) {
+  a.Key(UNDERSTUDY_NVP(s.pos), {"m", {-1000, 1000}, "Where the file's origin is in the world"});
+  a.Key(UNDERSTUDY_NVP(s.quat),
+        {"",
+         {-1, 1},
+         "How the file is turned: w, x, y, z; [0.7071, 0.7071, 0, 0] where its y axis is up"});
+  a.Key(UNDERSTUDY_NVP(s.scale), {"m", {1e-6, 1e6}, "Of the file's unit; 0.001 for millimetres"});
+  a.Key(UNDERSTUDY_NVP(s.height),
+        {"m",
+         {-1000, 1000},
+         "Up to which height in the world its surfaces are touched (the default is assumed)"});
+  a.Key(UNDERSTUDY_NVP(s.cell),
+        {"m",
+         {0.01, 1},
+         "Cells of the height field that is touched in its stead (the default is assumed)"});
+}
+
 void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
   a.Key(UNDERSTUDY_NVP(t.difficulty),
         {"", {0, 1}, "0 is nearly flat, 1 the hardest; docs/reference/terrain.md has the figures"});
@@ -30,6 +47,8 @@ void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
         {"m", {0, 50}, "Height of white above black at difficulty 1 (the default is assumed)"});
   a.List(UNDERSTUDY_NVP(t.patches), {"Patches of scene row, one after another along +x"},
          DescribePatch);
+  a.Section(UNDERSTUDY_NVP(t.scan), {"Of a scene that is a scan, such as office.ply"},
+            DescribeScan);
 }
 
 void DescribeCorner(Archive& a, objects::Corner& p) {

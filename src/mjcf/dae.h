@@ -1,18 +1,14 @@
 // Reads meshes of COLLADA (.dae), which many URDFs have and MuJoCo does not read.
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <optional>
 #include <vector>
+
+#include "mjcf/mesh_file.h"
 
 namespace understudy::mjcf {
 
-// The triangles of one colour.
-struct DaePart {
-  std::optional<std::array<double, 4>> rgba;  // 0 to 1; nullopt: the file gives them none
-  std::vector<float> corners;                 // m, nine numbers a triangle; see Stl
-};
+using DaePart = MeshPart;  // m
 
 // Reads the visual scene of a file: triangles, polylists and polygons of its geometries where its
 // nodes put them, in the unit of length that it names. What it says of the axis that is up is not

@@ -26,7 +26,7 @@ std::array<Vector3d, 2> LevelAxesOf(const mjData& data, int base) {
 }  // namespace
 
 NearestObstacle::NearestObstacle(const physics::MujocoWorld& world, std::size_t robot)
-    : scene_(world.model(), world.data()),
+    : scene_(world.model(), world.data(), world.scan()),
       base_(world.robot(robot).Body(world.robot(robot).spec().base_body)) {
   const mjModel& model = world.model();
   const mjData& data = world.data();

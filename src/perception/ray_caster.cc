@@ -28,13 +28,33 @@ std::vector<Box> BoxesOf(const std::vector<Shape>& shapes) {
   return boxes;
 }
 
+Triangles ScanTriangles(const std::vector<mjcf::MeshPart>& scan) {
+  std::vector<Triangles::Corners> triangles;
+  for (const mjcf::MeshPart& part : scan) {
+    const std::vector<float>& x = part.corners;
+    for (std::size_t i = 0; i + 9 <= x.size(); i += 9) {
+      triangles.push_back({Eigen::Vector3d(x[i], x[i + 1], x[i + 2]),
+                           Eigen::Vector3d(x[i + 3], x[i + 4], x[i + 5]),
+                           Eigen::Vector3d(x[i + 6], x[i + 7], x[i + 8])});
+    }
+  }
+  return Triangles(std::move(triangles));
+}
+
 }  // namespace
 
-RayCaster::RayCaster(const mjModel& model, const mjData& data) {
+RayCaster::RayCaster(const mjModel& model, const mjData& data,
+                     const std::vector<mjcf::MeshPart>* scan) {
+  const int ground = scan == nullptr ? -1 : mj_name2id(&model, mjOBJ_GEOM, mjcf::kScanGround);
+  if (scan != nullptr) {
+    still_.push_back({.geom = ground,
+                      .type = mjGEOM_MESH,
+                      .triangles = std::make_shared<const Triangles>(ScanTriangles(*scan))});
+  }
   std::map<std::pair<int, int>, std::shared_ptr<const Triangles>> shared;  // by type and mesh
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const int type = model.geom_type[geom];
-    if (!physics::Collides(model, geom) || type > mjGEOM_MESH) continue;
+    if (!physics::Collides(model, geom) || type > mjGEOM_MESH || geom == ground) continue;
     Shape shape{.geom = geom, .type = type, .size = mjcf::Vector(model.geom_size + 3 * geom)};
     if (type == mjGEOM_MESH || type == mjGEOM_HFIELD) {
       auto& triangles = shared[{type, model.geom_dataid[geom]}];

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mjcf/mesh_file.h"
 #include "mjcf/mujoco_handles.h"
 #include "perception/box_tree.h"
 #include "perception/ray.h"
@@ -18,8 +19,10 @@ namespace understudy::perception {
 // Cast may be called from several threads.
 class RayCaster {
  public:
-  // `data` has the model's kinematics. The scene keeps nothing of either.
-  RayCaster(const mjModel& model, const mjData& data);
+  // `data` has the model's kinematics. What is met of `scan`, triangles in the world [m], counts as
+  // mjcf::kScanGround, which is then not met itself; null: there is none. Keeps nothing of any.
+  RayCaster(const mjModel& model, const mjData& data,
+            const std::vector<mjcf::MeshPart>* scan = nullptr);
 
   // Takes the poses of a step of the same model, once however often it is called for that step.
   void Follow(std::int64_t step, const mjData& data);

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "mjcf/mesh_file.h"
 #include "mjcf/mujoco_handles.h"
 #include "objects/walk.h"
 #include "physics/loose_bodies.h"
@@ -55,6 +57,11 @@ class MujocoWorld {
   // In the constructor's order. Their addresses stay valid when the world is moved.
   RobotBody& robot(std::size_t i = 0) { return robots_[i]; }
   const RobotBody& robot(std::size_t i = 0) const { return robots_[i]; }
+
+  // Gives rays something to meet in place of mjcf::kScanGround, in the world's frame [m].
+  using Scan = std::vector<mjcf::MeshPart>;
+  void Show(std::shared_ptr<const Scan> scan) { scan_ = std::move(scan); }
+  const Scan* scan() const { return scan_.get(); }  // null: there is none
 
   // Puts everything at rest in the pose of the model's file; what walks begins its way again.
   void Reset();
@@ -125,6 +132,7 @@ class MujocoWorld {
   std::vector<Walker> walkers_;
   std::int64_t walked_ = 0;  // steps since the last reset
   std::vector<Ground> ground_;
+  std::shared_ptr<const Scan> scan_;
 };
 
 }  // namespace understudy::physics

@@ -134,19 +134,30 @@ std::string FloorColour(const char* colour) {
   return colour == nullptr ? "" : std::string(" rgba=\"") + colour + "\"";
 }
 
-std::string SceneXml(const TerrainPieces& terrain, const std::string& name, double friction) {
-  std::string text = "<mujoco model=\"" + name + "\">\n" + kHead;
-  const std::vector<TerrainPiece> pieces = terrain.Pieces();
-  for (const TerrainPiece& piece : pieces) {
-    if (piece.shape == PieceShape::kHeights) {
-      text += HeightsAsset(piece, terrain.heights()[piece.heights]);
-    }
-  }
+std::string SceneXml(const TerrainPieces& terrain, const std::string& name, double friction,
+                     const std::string& assets, const std::string& bodies) {
+  std::string text = "<mujoco model=\"" + name + "\">\n" + kHead + assets;
   text += "  </asset>\n  <worldbody>\n";
   text += terrain.floor_colour() == nullptr ? kSun : kPlaceSun;
   text += "    <geom name=\"floor\" type=\"plane\" size=\"0 0 0.5\" pos=\"" +
           Numbers({0, 0, terrain.floor()}) + "\" material=\"floor\"" +
           FloorColour(terrain.floor_colour()) + Contact(friction) + "/>\n";
+  return text + bodies + "  </worldbody>\n</mujoco>\n";
+}
+
+std::string Assets(const TerrainPieces& terrain) {
+  std::string text;
+  for (const TerrainPiece& piece : terrain.Pieces()) {
+    if (piece.shape == PieceShape::kHeights) {
+      text += HeightsAsset(piece, terrain.heights()[piece.heights]);
+    }
+  }
+  return text;
+}
+
+std::string Bodies(const TerrainPieces& terrain) {
+  std::string text;
+  const std::vector<TerrainPiece> pieces = terrain.Pieces();
   // Groups the pieces into static bodies: MuJoCo 2 tests all pairs of geoms of two nearby bodies,
   // and the world body is near everything. A body with a height field would be so too: MuJoCo has
   // room for the pairs of each two bodies once, which the pairs of such bodies do not all fit in.
@@ -156,13 +167,7 @@ std::string SceneXml(const TerrainPieces& terrain, const std::string& name, doub
     (of_world ? text : bodies[CellOf(pieces[i])]) += Geom(pieces[i], i, terrain.floor());
   }
   for (const auto& [cell, geoms] : bodies) text += "    <body>\n" + geoms + "    </body>\n";
-  return text + "  </worldbody>\n</mujoco>\n";
-}
-
-void WriteBytes(const std::filesystem::path& file, const std::string& bytes) {
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!stream.flush()) throw ModelError(file.string() + ": cannot be written");
+  return text;
 }
 
 // Rows and columns as 32-bit integers, then the heights as 32-bit floats, in the machine's byte
@@ -191,16 +196,28 @@ void WritePng(const std::filesystem::path& file, const HeightGrid& grid) {
 
 }  // namespace
 
+void WriteBytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream.flush()) throw ModelError(file.string() + ": cannot be written");
+}
+
 void WriteTerrainFiles(const TerrainPieces& pieces, const std::string& name, double floor_friction,
                        const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw ModelError(folder.string() + ": cannot be made: " + error.message());
-  WriteBytes(folder / "scene.xml", SceneXml(pieces, name, floor_friction));
+  WriteBytes(folder / "scene.xml",
+             SceneXml(pieces, name, floor_friction, Assets(pieces), Bodies(pieces)));
   for (std::size_t i = 0; i < pieces.heights().size(); ++i) {
     WriteBinary(folder / (HeightsName(i) + ".hf"), pieces.heights()[i]);
     WritePng(folder / (HeightsName(i) + ".png"), pieces.heights()[i]);
   }
+}
+
+void WriteSightFile(const TerrainPieces& pieces, const std::string& name, const std::string& assets,
+                    const std::string& geoms, const std::filesystem::path& folder) {
+  WriteBytes(folder / "sight.xml", SceneXml(pieces, name, 0, assets, geoms));
 }
 
 }  // namespace understudy::terrain

@@ -21,6 +21,15 @@ struct TerrainPatch {
   std::string image{};     // "": the spec's
 };
 
+// Where a user's scan stands, and what of it is touched. Each field is a YAML key of the same name.
+struct ScanSpec {
+  std::array<double, 3> pos{0, 0, 0};      // m, of the file's origin in the world
+  std::array<double, 4> quat{1, 0, 0, 0};  // w, x, y, z
+  double scale = 1;                        // m per unit of the file
+  double height = 1;   // m, in the world, up to which its surfaces are touched; assumed
+  double cell = 0.05;  // m, of the height field that is touched in its stead; assumed
+};
+
 // The parameters of a ground. Each field is a YAML key of the same name; docs/reference/terrain.md
 // has the effect of difficulty on each kind.
 struct TerrainSpec {
@@ -31,6 +40,7 @@ struct TerrainSpec {
   std::string image;                    // PNG or PGM for kind image
   double image_height = 1;              // m from black to white at difficulty 1; assumed
   std::vector<TerrainPatch> patches;
+  ScanSpec scan;
 };
 
 // Returns the names of the kinds of ground, in the order of the documentation.

@@ -14,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-class SceneTest : public test::MujocoTest {};
+class RayCasterTest : public test::MujocoTest {};
 
 // Returns how many of `count` rays hit something.
 int Compare(const RayCaster& scene, test::RandomScene* random, int count) {
@@ -30,7 +30,7 @@ int Compare(const RayCaster& scene, test::RandomScene* random, int count) {
   return hits;
 }
 
-TEST_F(SceneTest, IsMetWhereMujocoSaysByAnyRay) {
+TEST_F(RayCasterTest, IsMetWhereMujocoSaysByAnyRay) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
     test::RandomScene random(seed);
@@ -44,7 +44,7 @@ TEST_F(SceneTest, IsMetWhereMujocoSaysByAnyRay) {
   }
 }
 
-TEST_F(SceneTest, NamesTheGeomThatIsMet) {
+TEST_F(RayCasterTest, NamesTheGeomThatIsMet) {
   test::RandomScene random(3);
   const RayCaster scene(*random.model, *random.data);
   for (int i = 0; i < 1000; ++i) {
@@ -53,7 +53,7 @@ TEST_F(SceneTest, NamesTheGeomThatIsMet) {
   }
 }
 
-TEST_F(SceneTest, IsMetBehindWhatIsLeftOut) {
+TEST_F(RayCasterTest, IsMetBehindWhatIsLeftOut) {
   test::RandomScene random(4);
   const RayCaster scene(*random.model, *random.data);
   int further = 0;
@@ -70,7 +70,7 @@ TEST_F(SceneTest, IsMetBehindWhatIsLeftOut) {
   EXPECT_GT(further, 50);
 }
 
-TEST_F(SceneTest, KnowsInWhichGeomsAPointLies) {
+TEST_F(RayCasterTest, KnowsInWhichGeomsAPointLies) {
   const test::TemporaryFolder folder;
   const mjcf::ModelHandle model =
       physics::LoadModelFile(folder.Write("scene.xml", R"(<mujoco><worldbody>
@@ -85,7 +85,7 @@ TEST_F(SceneTest, KnowsInWhichGeomsAPointLies) {
   EXPECT_THAT(scene.Around({3, 0, 0}), IsEmpty());
 }
 
-TEST_F(SceneTest, FollowsAStepOnce) {
+TEST_F(RayCasterTest, FollowsAStepOnce) {
   test::RandomScene random(3);
   RayCaster scene(*random.model, *random.data);
   std::vector<Ray> rays;
@@ -104,7 +104,7 @@ TEST_F(SceneTest, FollowsAStepOnce) {
   EXPECT_NE(distances(), before);
 }
 
-TEST_F(SceneTest, AllocatesNothingByRayOrInstant) {
+TEST_F(RayCasterTest, AllocatesNothingByRayOrInstant) {
   test::RandomScene random(5);
   RayCaster scene(*random.model, *random.data);
   const std::uint64_t before = test::Allocations();
@@ -118,7 +118,7 @@ TEST_F(SceneTest, AllocatesNothingByRayOrInstant) {
   EXPECT_GT(hits, 500);
 }
 
-TEST_F(SceneTest, HasNoGeomThatNothingTouches) {
+TEST_F(RayCasterTest, HasNoGeomThatNothingTouches) {
   const test::TemporaryFolder folder;
   const mjcf::ModelHandle model =
       physics::LoadModelFile(folder.Write("scene.xml", R"(<mujoco><worldbody>
@@ -126,6 +126,27 @@ TEST_F(SceneTest, HasNoGeomThatNothingTouches) {
   const mjcf::DataHandle data(mj_makeData(model.get()));
   mj_kinematics(model.get(), data.get());
   EXPECT_EQ(RayCaster(*model, *data).Cast({{-3, 0, 0}, {1, 0, 0}}).geom, -1);
+}
+
+TEST_F(RayCasterTest, IsMetWhereAScanIsInPlaceOfTheGroundThatStandsForIt) {
+  constexpr char kScene[] = R"(<mujoco><worldbody>
+    <geom name="ground_0" type="box" size="5 5 1" pos="0 0 -0.5"/>
+    <geom name="pole" type="box" size="0.1 0.1 1" pos="3 0 0"/></worldbody></mujoco>)";
+  const test::TemporaryFolder folder;
+  const mjcf::ModelHandle model = physics::LoadModelFile(folder.Write("scene.xml", kScene));
+  const mjcf::DataHandle data(mj_makeData(model.get()));
+  mj_kinematics(model.get(), data.get());
+  const std::vector<mjcf::MeshPart> scan{{std::nullopt, {-5, -5, 0, 5, -5, 0, 0, 5, 0}},
+                                         {std::nullopt, {2, -1, 0, 2, 1, 0, 2, 0, 1}}};
+  RayCaster rays(*model, *data, &scan);
+  const Hit floor = rays.Cast({{0, 0, 2}, {0, 0, -1}}), wall = rays.Cast({{0, 0, 0.3}, {1, 0, 0}});
+  EXPECT_NEAR(floor.distance, 2, 1e-6);
+  EXPECT_EQ(floor.geom, 0);
+  EXPECT_NEAR(wall.distance, 2, 1e-6);
+  // What else stands there is met as well, beside the wall.
+  EXPECT_NEAR(rays.Cast({{0, 0, 0.9}, {1, 0, 0}}).distance, 2.9, 1e-6);
+  rays.Follow(1, *data);
+  EXPECT_NEAR(rays.Cast({{0, 0, 0.3}, {1, 0, 0}}).distance, 2, 1e-6);
 }
 
 }  // namespace

@@ -51,8 +51,9 @@ class TerrainTest : public test::MujocoTest {
   }
 
   // The ground alone, ready for rays.
-  void Load(const std::string& kind) {
-    model_ = physics::LoadModelFile(Write(kind) / "scene.xml");
+  void Load(const std::string& kind) { LoadFile(Write(kind) / "scene.xml"); }
+  void LoadFile(const std::filesystem::path& file) {
+    model_ = physics::LoadModelFile(file);
     data_.reset(mj_makeData(model_.get()));
     mj_forward(model_.get(), data_.get());
   }
