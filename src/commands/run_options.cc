@@ -19,7 +19,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                  "Network interface [lo]");
   AddShortOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
   AddShortOption(app, arguments, "--scene", "scene", "NAME|FILE",
-                 "Ground: a kind of terrain, MJCF or YAML [flat]");
+                 "Ground: a kind of terrain, MJCF, YAML or a scan [flat]");
   AddShortOption(app, arguments, "--model", "robot.model", "FILE",
                  "MJCF in place of the robot's, with the same joint names")
       ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });

@@ -83,9 +83,10 @@ void DescribeObject(Archive& a, objects::ObjectSpec& o) {
 }  // namespace
 
 void DescribeScene(Archive& a, Config& c) {
-  a.Key(UNDERSTUDY_NVP(c.scene),
-        {"Ground: a kind of terrain, a place, row for terrain.patches, a name in models/scene, an "
-         "MJCF file, or a YAML file with scene and terrain"});
+  a.Key(
+      UNDERSTUDY_NVP(c.scene),
+      {"Ground: a kind of terrain, a place, row for terrain.patches, a name in models/scene; or a "
+       "file, of MJCF, YAML or a scan"});
   a.Section(UNDERSTUDY_NVP(c.terrain), {"Generated ground (docs/reference/terrain.md)"},
             DescribeTerrain);
   a.List(UNDERSTUDY_NVP(c.objects),
