@@ -32,7 +32,7 @@ ELSEWHERE = {
     r"docker compose": "needs Docker's engine: tests/package/test_package.py runs what compose.yaml says, in one network",
     r"sudo understudy run go2 --interface eth0 --as-robot": "needs a card and root: test_two_hosts.py runs it on a cable",
     r"understudy run \w+ --look ~": "needs the vendor's meshes: test_pictures.py draws a robot by some of its own",
-    r"understudy run go2 --scene office\.": "needs a scan: test_terrain.py stands and looks in one of its own",
+    r"understudy run go2 --scene office\.": "needs a scan: test_sight.py stands and looks in one of its own",
     r"understudy rehearse slow.yaml": "needs a policy that walks: tests/rehearse/vary_test.cc varies what a program thinks",
     r"(sudo )?setcap ": "changes the program under test, and needs the right to: docs/reference/realtime.md says what to look for",
     r'pip install "?\.|python -m understudy': "builds all once more: tools/python_env does it, tests/python/test_package.py runs it",

@@ -95,10 +95,18 @@ def test_a_robot_is_drawn_by_another_copy_of_its_meshes(play, understudy, tmp_pa
     assert len(magenta) > 50
 
 
-def test_a_picture_is_taken_from_where_the_robots_camera_is(play, understudy, tmp_path):
-    scene = tmp_path / "wall.xml"
-    scene.write_text('<mujoco><worldbody><geom type="plane" size="0 0 1"/>'
-                     '<geom type="box" size="0.1 3 3" pos="1.6 0 3" rgba="1 0 0 1"/></worldbody></mujoco>')
+RED_WALLS = {
+    "wall.xml": '<mujoco><worldbody><geom type="plane" size="0 0 1"/>'
+                '<geom type="box" size="0.1 3 3" pos="1.6 0 3" rgba="1 0 0 1"/></worldbody></mujoco>',
+    "scan.obj": "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\nv 1.5 -3 0 1 0 0\nv 1.5 3 0 1 0 0\n"
+                "v 1.5 3 6 1 0 0\nv 1.5 -3 6 1 0 0\nf 8 7 6 5\n",
+}
+
+
+@pytest.mark.parametrize("scene", RED_WALLS)
+def test_a_picture_is_taken_from_where_the_robots_camera_is(play, understudy, tmp_path, scene):
+    (tmp_path / scene).write_text(RED_WALLS[scene])
+    scene = tmp_path / scene
     robot = play("go2", "--start", "clamped", "--scene", scene)
     picture = tmp_path / "front.png"
     done = understudy("picture", picture, "--name", robot.name, "--size", "32x18", "--camera", "front")

@@ -14,6 +14,19 @@ WALL = f"""<mujoco><worldbody>
   <geom type="plane" size="0 0 1"/>
   <geom type="box" size="0.1 1 0.5" pos="{FACE + 0.1} 0 0.5"/>
 </worldbody></mujoco>"""
+# The same as somebody scanned it: the floor, and of the wall what one sees from there.
+SCAN = f"""
+v -9 -9 0
+v 9 -9 0
+v 9 9 0
+v -9 9 0
+f 1 2 3 4
+v {FACE} -1 0
+v {FACE} 1 0
+v {FACE} 1 1
+v {FACE} -1 1
+f 8 7 6 5
+"""
 LOOKS = """
 scenario: It looks at a wall
 robot: go2
@@ -41,11 +54,11 @@ def points_of(cloud):
     return np.column_stack([rows[:, offsets[axis]:offsets[axis] + 4].copy().view("<f4") for axis in "xyz"]).astype(float)
 
 
-@pytest.fixture
-def seen(rehearse, tmp_path):
+@pytest.fixture(params=["wall.xml", "wall.obj"])
+def seen(request, rehearse, tmp_path):
     """Points in the world, by cloud_base and the transform of its frame, which has the nearest stamp."""
-    (tmp_path / "wall.xml").write_text(WALL)
-    (tmp_path / "looks.yaml").write_text(LOOKS.format(scene=tmp_path / "wall.xml"))
+    (tmp_path / request.param).write_text(SCAN if request.param.endswith("obj") else WALL)
+    (tmp_path / "looks.yaml").write_text(LOOKS.format(scene=tmp_path / request.param))
     done = rehearse(tmp_path / "looks.yaml", "--no-pictures", "--profile", "ideal")
     assert done.returncode == 0, done.stdout + done.stderr
     bases, clouds = {}, []
