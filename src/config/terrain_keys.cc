@@ -67,6 +67,7 @@ void DescribeObject(Archive& a, objects::ObjectSpec& o) {
   a.Key(UNDERSTUDY_NVP(o.mass), {"kg", {0, 1000}, "0 is that of its kind"});
   a.Key(UNDERSTUDY_NVP(o.friction), {"", {0, 5}, "Sliding friction; 0 is that of its kind"});
   a.Key(UNDERSTUDY_NVP(o.id), {"", {0, objects::kAprilTags - 1}, "Which AprilTag a tag shows"});
+  a.Key(UNDERSTUDY_NVP(o.image), {"PNG that a poster shows"});
   a.List(UNDERSTUDY_NVP(o.path),
          {"Corners that it walks to from pos on, stopping for nothing; [] is none"},
          DescribeCorner);

@@ -116,6 +116,27 @@ MjcfElement GeomOf(const Print& print, const ObjectKind& kind) {
                           {"group", "0"}});
 }
 
+bool ShowsPicture(const ObjectSpec& object) {
+  return KindOf(object).print.pattern == Pattern::kPicture && !object.image.empty();
+}
+
+// A sheet before the board, whose left edge is on the left of who looks at it.
+MjcfElement PictureOf(const ObjectKind& kind, const std::string& name) {
+  const ObjectPart& board = kind.parts.front();
+  const std::array<double, 3> at{board.at[0] + board.size[0] + kInk, board.at[1], 0};
+  const std::array<double, 3> size{board.size[1], board.size[2], 1};
+  return Element("geom", {{"type", "plane"},
+                          {"size", Numbers(size)},
+                          {"pos", Numbers(at)},
+                          {"quat", "0.5 0.5 0.5 0.5"},
+                          {"mass", "0"},
+                          {"material", name + "/picture"},
+                          {"rgba", "1 1 1 1"},
+                          {"contype", "0"},
+                          {"conaffinity", "0"},
+                          {"group", "0"}});
+}
+
 bool HasLegs(const ObjectSpec& object) { return Walks(object) && KindOf(object).gait.step > 0; }
 
 constexpr std::pair<Side, const char*> kLegs[] = {{Side::kLeft, "/left"}, {Side::kRight, "/right"}};
@@ -162,6 +183,7 @@ MjcfElement BodyOf(const ObjectSpec& object, const std::string& name, Prints pri
   }
   if (prints == Prints::kKept) {
     for (const Print& print : PrintsOf(object)) body.children.push_back(GeomOf(print, kind));
+    if (ShowsPicture(object)) body.children.push_back(PictureOf(kind, name));
   }
   return body;
 }
@@ -175,6 +197,25 @@ MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects, Prints prints)
     world.children.push_back(BodyOf(objects[i], names[i], prints));
   }
   return world;
+}
+
+MjcfElement MakePictures(std::span<const ObjectSpec> objects) {
+  MjcfElement asset = Element("asset", {});
+  const std::vector<std::string> names = NamesOf(objects);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!ShowsPicture(objects[i])) continue;
+    const std::string name = names[i] + "/picture";
+    const std::string file = std::filesystem::absolute(objects[i].image).string();
+    asset.children.push_back(Element("texture", {{"name", name}, {"type", "2d"}, {"file", file}}));
+    asset.children.push_back(Element("material", {{"name", name},
+                                                  {"texture", name},
+                                                  {"texuniform", "false"},
+                                                  {"texrepeat", "1 1"},
+                                                  {"specular", "0.1"},
+                                                  {"shininess", "0.1"},
+                                                  {"reflectance", "0"}}));
+  }
+  return asset;
 }
 
 namespace {

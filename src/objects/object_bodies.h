@@ -19,6 +19,9 @@ enum class Prints { kLeftOut, kKept };
 // given.
 mjcf::MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects, Prints prints);
 
+// Returns an <asset> with the pictures of posters. Without children if there are none.
+mjcf::MjcfElement MakePictures(std::span<const ObjectSpec> objects);
+
 // Returns a <contact> by which what walks meets robots and what moves freely alone: neither the
 // ground nor what is fixed nor what walks too, which none of them would give way to. Without
 // children if nothing walks.

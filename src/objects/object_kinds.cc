@@ -82,6 +82,8 @@ constexpr ObjectPart kCart[] = {{kCylinder, {0.36, 0.24, 0.08}, {0.08, 0.02}, kD
                                 {kCapsule, {-0.43, 0, 0.985}, {0.015, 0.27}, kDark, kLies}};
 
 constexpr ObjectPart kTag[] = {{kBox, {0, 0, 0.1}, {0.005, 0.1, 0.1}, kPaper}};
+// A1.
+constexpr ObjectPart kPoster[] = {{kBox, {0, 0, 0.4205}, {0.005, 0.297, 0.4205}, kPaper}};
 constexpr ObjectPart kBoard[] = {{kBox, {0, 0, 0.12}, {0.005, 0.15, 0.12}, kPaper}};
 
 constexpr GaitSpec kPersonsGait{.hips = 0.82, .step = 0.7};
@@ -89,6 +91,7 @@ constexpr GaitSpec kChildsGait{.hips = 0.56, .step = 0.5};
 constexpr PrintSpec kPlain{};
 constexpr PrintSpec kTagPrint{.pattern = Pattern::kAprilTag, .cell = 0.02};
 constexpr PrintSpec kBoardPrint{.pattern = Pattern::kCheckers, .cell = 0.03};
+constexpr PrintSpec kPicture{.pattern = Pattern::kPicture};
 
 constexpr double kFixed = 0, kStays = 0;
 constexpr ObjectKind kKinds[] = {
@@ -116,6 +119,8 @@ constexpr ObjectKind kKinds[] = {
      "pattern: AprilRobotics/apriltag; rest assumed", kTag, 0, kTagPrint},
     {"checkerboard", "A checkerboard of 9 × 7 squares of 3 cm, on a board of 30 × 24 cm", 0.24,
      kFixed, 0.6, kStays, "assumed", kBoard, 0, kBoardPrint},
+    {"poster", "A poster of A1, 59 × 84 cm, with a picture of your own", 0.841, kFixed, 0.6, kStays,
+     "size: ISO 216; rest assumed", kPoster, 0, kPicture},
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ struct ObjectPart {
   Side swings = Side::kNeither;  // as a leg of that side, while the object walks
 };
 
-enum class Pattern : std::uint8_t { kNone, kAprilTag, kCheckers };
+enum class Pattern : std::uint8_t { kNone, kAprilTag, kCheckers, kPicture };
 
 // How legs swing: as a pendulum about the hips that takes a foot half a step ahead and behind.
 struct GaitSpec {
@@ -82,8 +82,9 @@ struct ObjectSpec {
   double speed = 0;  // m/s; 0: the kind's
   double wait = 0;   // s that it stands at `pos`, each time
   PathEnd then = PathEnd::kBack;
-  int id = 0;    // of an AprilTag
-  int seed = 0;  // draws where on its way it begins; 0: at `pos`
+  int id = 0;           // of an AprilTag
+  std::string image{};  // PNG, of a poster
+  int seed = 0;         // draws where on its way it begins; 0: at `pos`
 };
 
 // The most objects of a world; *assumed*. Room for contacts is reserved for each.

@@ -21,6 +21,7 @@ CellGrid GridOf(const ObjectSpec& object) {
       return AprilTag(object.id);
     case Pattern::kCheckers:
       return Checkers(7, 9);
+    case Pattern::kPicture:  // of no cells
     case Pattern::kNone:
       break;
   }

@@ -303,6 +303,9 @@ mjcf::ModelHandle Compose(const std::vector<PlacedRobot>& placed, std::vector<Lo
     world.children.push_back(objects::MakeObjectBodies(
         around.objects,
         looks == Looks::kKept ? objects::Prints::kKept : objects::Prints::kLeftOut));
+    if (looks == Looks::kKept) {
+      world.children.push_back(objects::MakePictures(around.objects));
+    }
     if (std::ranges::any_of(around.objects, objects::Walks)) {
       world.children.push_back(objects::MakeExclusions(around.objects));
     }

@@ -121,6 +121,15 @@ TEST_F(ObjectsConfigTest, ShowAnAprilTagWhereTheyAreOne) {
             "run.yaml:1: objects.0.id: a checkerboard shows no AprilTag; expected 0");
 }
 
+TEST_F(ObjectsConfigTest, ShowAPictureWhereTheyAreAPoster) {
+  const std::string png = Write("cat.png", "\x89PNG\r\n\x1a\n and so on");
+  EXPECT_EQ(LoadText("objects: [{kind: poster, image: " + png + "}]\n").objects[0].image, png);
+  EXPECT_EQ(FileError("objects: [{kind: poster, image: /dev/zero}]\n"),
+            "run.yaml:1: objects.0.image: expected a PNG, got '/dev/zero'");
+  EXPECT_EQ(FileError("objects: [{kind: cube, image: " + png + "}]\n"),
+            "run.yaml:1: objects.0.image: a cube shows no picture; expected none");
+}
+
 TEST_F(ObjectsConfigTest, AreNotTooMany) {
   std::string list;
   for (std::size_t i = 0; i < objects::kMostObjects; ++i) list += "{kind: cube},";

@@ -1,5 +1,6 @@
 // What a Go2's camera sees of an AprilTag and a checkerboard, through its lens.
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include <Eigen/Core>
@@ -13,7 +14,9 @@
 #include "mjcf/eigen_views.h"
 #include "objects/april_tags.h"
 #include "robot/lens.h"
+#include "terrain/image.h"
 #include "tests/support/mujoco_test.h"
+#include "tests/support/temporary_folder.h"
 #include "viewer/robot_eyes.h"
 
 namespace understudy::viewer {
@@ -98,6 +101,20 @@ TEST_F(PrintedObjectsTest, ShowTheInnerCornersOfACheckerboardWithinTwoPixels) {
       EXPECT_EQ(IsDark(corner + Eigen::Vector2d(-2, -2)), dark) << row << ", " << column;
       EXPECT_EQ(IsDark(corner + Eigen::Vector2d(2, -2)), !dark) << row << ", " << column;
       EXPECT_EQ(IsDark(corner + Eigen::Vector2d(-2, 2)), !dark) << row << ", " << column;
+    }
+  }
+}
+
+TEST_F(PrintedObjectsTest, ShowAPosterUprightAndNotMirrored) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.path() / "corner.png";
+  constexpr std::uint16_t kWhite = 65535;
+  terrain::WriteGreyPng(file, 2, 2, {0, kWhite, kWhite, kWhite});  // black at the top left
+  LookAt("[{kind: poster, image: " + file + ", pos: [1.2, 0, 0], yaw: 3.14159265358979}]");
+  for (const double right : {-0.15, 0.15}) {
+    for (const double up : {-0.2, 0.2}) {
+      const Eigen::Vector2d at = PixelOf(OnBoard(right, 0.4205 - 0.35 + up));
+      EXPECT_EQ(IsDark(at), right < 0 && up > 0) << right << ", " << up;
     }
   }
 }
