@@ -33,7 +33,8 @@ CommandRouter::CommandRouter(const robot::RobotSpec& spec, const GateConfig& gat
       user_gate_(gate, start),
       owner_(OnboardServices(spec, StartService(spec, config)),
              spec.kind == robot::RobotKind::kWheeled ? "1" : "0", make),
-      arms_(spec),
+      arms_(OverArms(spec)),
+      over_hands_(OverHands(spec)),
       hands_(spec.hands.begin(), spec.hands.end()),
       intakes_(robot::kMostCommandTopics, Intake(gate.lenient)),
       chords_(ChordsOf(spec)),
@@ -47,6 +48,7 @@ void CommandRouter::Restart(const robot::RobotCommand& start) {
   gate_.Restart(start);
   owner_.Restart();
   arms_.Clear();
+  over_hands_.Clear();
   for (HandGate& hand : hands_) hand.Restart();
   fought_ = fresh_lowcmd_ = false;
   was_on_ = service_on();
@@ -87,6 +89,9 @@ robot::Refusal CommandRouter::Offer(std::size_t topic, const robot::RobotCommand
       case robot::kUserLowCmdTopic:
         if (owner_.user_control()) return user_gate_.Offer(command, t);
         return service_on() ? robot::Refusal::kNotHandedOver : robot::Refusal::kNoMotionService;
+      case robot::kHandSdkTopic:
+        if (Damps()) return robot::Refusal::kDamping;
+        return service_on() ? over_hands_.Offer(command, t) : robot::Refusal::kNoMotionService;
       default:
         return hands_[topic - robot::kFirstHandTopic].Offer(command, t);
     }
@@ -119,7 +124,7 @@ void CommandRouter::Obey(const robot::RemoteReading& remote, double t) {
 void CommandRouter::ObeyKeys(const robot::RemoteReading& remote, double t) {
   using Reason = Unheeded::Reason;
   const bool released = !service_on();
-  const int resting = gate_.state() == GateState::kLimp ? 0 : 1;
+  const int resting = gate_.state() == GateState::kLimp ? robot::kZeroTorqueId : robot::kDampingId;
   const Chord* chord = chords_.Read(remote.keys, released ? resting : owner_.state().id, t);
   const bool listens = gate_.state() == GateState::kFollowing;  // a program, to keys of its own
   if (chord == nullptr) {
@@ -184,6 +189,8 @@ const robot::RobotCommand& CommandRouter::Current(const MotionInput& input, bool
 void CommandRouter::Assemble(const robot::RobotCommand& body, double t) {
   auto next = std::ranges::copy(body.motors, followed_.motors.begin()).out;
   for (HandGate& hand : hands_) next = std::ranges::copy(hand.Current(t).motors, next).out;
+  if (Damps()) over_hands_.Clear();
+  over_hands_.MixOver(t, std::span(followed_.motors).subspan(body.motors.size()));
 }
 
 const robot::RobotCommand& CommandRouter::OfBody(const MotionInput& input, bool service_due,
@@ -201,7 +208,7 @@ const robot::RobotCommand& CommandRouter::OfBody(const MotionInput& input, bool 
   }
   if (arms_.weight(input.time) <= 0) return own_;
   mixed_ = own_;
-  arms_.MixOver(input.time, &mixed_);
+  arms_.MixOver(input.time, mixed_.motors);
   return mixed_;
 }
 
@@ -213,6 +220,7 @@ void CommandRouter::FollowOwner() {
   if (service_on() == was_on_) return;
   was_on_ = service_on();
   arms_.Clear();
+  over_hands_.Clear();
   fought_ = fresh_lowcmd_ = false;
   if (was_on_ && !fight_) {
     gate_.Close();

@@ -1,5 +1,6 @@
 // Selects the commands that the motors follow. The body's motors follow the motion service, blended
-// with rt/arm_sdk, or rt/user_lowcmd or rt/lowcmd; a hand's motors follow the hand's topic.
+// with rt/arm_sdk, or rt/user_lowcmd or rt/lowcmd; a hand's motors follow the hand's topic, blended
+// with rt/hand_sdk.
 #pragma once
 
 #include <array>
@@ -7,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "authority/arm_overlay.h"
 #include "authority/chord.h"
 #include "authority/command_gate.h"
 #include "authority/hand_gate.h"
 #include "authority/intake.h"
 #include "authority/motion_config.h"
 #include "authority/motor_owner.h"
+#include "authority/overlay.h"
 #include "authority/unheeded.h"
 #include "robot/command_topics.h"
 #include "robot/fault.h"
@@ -77,11 +78,14 @@ class CommandRouter {
   // Returns the velocity that the sticks command: forward, left m/s, turn rad/s.
   const std::array<double, 3>& stick_wish() const { return stick_wish_; }
   double arm_weight(double t) const { return arms_.weight(t); }
+  double hand_weight(double t) const { return over_hands_.weight(t); }
 
  private:
   const robot::RobotCommand& OfBody(const MotionInput& input, bool service_due, double dt);
   // Assembles followed_ of a command to the body and those of the hands at time t [s].
   void Assemble(const robot::RobotCommand& body, double t);
+  // Whether the motion service that is on damps: it passes no commands of rt/hand_sdk on.
+  bool Damps() const { return service_on() && owner_.state().id == robot::kDampingId; }
   void FollowOwner();  // opens or closes the gate after a change of owner
   void ObeyKeys(const robot::RemoteReading& remote, double t);
   void ObeySticks(const robot::RemoteReading& remote);
@@ -91,7 +95,8 @@ class CommandRouter {
   CommandGate gate_;
   CommandGate user_gate_;
   MotorOwner owner_;
-  ArmOverlay arms_;
+  Overlay arms_;
+  Overlay over_hands_;  // rt/hand_sdk
   std::vector<HandGate> hands_;
   std::vector<Intake> intakes_;  // by topic
   ChordReader chords_;

@@ -190,6 +190,8 @@ void DescribeHand(Archive& a, robot::HandSpec& h) {
   a.Key(UNDERSTUDY_NVP(h.slot), {"", {0, 15}, "Index in the messages of its first motor"});
   a.Key(UNDERSTUDY_NVP(h.slots),
         {"", {0, 16}, "How many motors the messages have; 0 is as many as it has"});
+  a.Key(UNDERSTUDY_NVP(h.sdk_slot),
+        {"", {-1, 3}, "Index in rt/hand_sdk of its first motor; -1: that does not reach it"});
   a.List(UNDERSTUDY_NVP(h.pads), {"Pressure sensors, in the order of the messages"}, DescribePad);
   a.Section(UNDERSTUDY_NVP(h.touch), {"What the cells of those show"}, DescribeTouch);
   a.Key(UNDERSTUDY_NVP(h.timeout),

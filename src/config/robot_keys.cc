@@ -279,6 +279,10 @@ void Describe(Archive& a, robot::RobotSpec& r) {
   a.Key(UNDERSTUDY_NVP(r.arm_action_state), {"Whether rt/arm/action/state is written; hg only"});
   a.Section(UNDERSTUDY_NVP(r.arm_sdk), {"rt/arm_sdk: commands mixed over the motion service's"},
             DescribeArmSdk);
+  a.Key(UNDERSTUDY_NVP(r.hand_sdk_timeout),
+        {"s",
+         {0, 3600},
+         "Age at which a command of rt/hand_sdk expires; 0 is never (the default is assumed)"});
   a.Key(UNDERSTUDY_NVP(r.user_lowcmd),
         {"Whether the motion service can hand the motors to rt/user_lowcmd"});
   a.Section(UNDERSTUDY_NVP(r.remote), {"The remote controller"}, DescribeRemote);

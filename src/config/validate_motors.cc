@@ -113,6 +113,11 @@ void CheckHand(const robot::HandSpec& hand, const std::vector<robot::MotorTypeSp
   checker.Check(hand.slots == 0 ? hand.slot == 0 : hand.slot + motors <= hand.slots, key + "slots",
                 "expected room for " + std::to_string(motors) + " motors from slot " +
                     std::to_string(hand.slot) + " on, got " + std::to_string(hand.slots));
+  checker.Check(hand.sdk_slot < 0 || hand.sdk_slot + motors <= robot::kHandSdkMotors,
+                key + "sdk_slot",
+                "expected room for " + std::to_string(motors) + " of the " +
+                    std::to_string(robot::kHandSdkMotors) + " motors of rt/hand_sdk, got " +
+                    std::to_string(hand.sdk_slot));
   if (law.follows == robot::HandLaw::Follows::kMotors) return;
   for (std::size_t i = 0; i < hand.motors.size(); ++i) {
     const robot::MotorSpec& motor = hand.motors[i];

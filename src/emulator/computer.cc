@@ -181,11 +181,13 @@ void Computer::Report(double t, Status* status) const {
   CopyText(router_.owner().active(), &status->motion_service);
   status->motion = router_.owner().state();
   status->arm_weight = router_.service_on() ? router_.arm_weight(t) : 0;
+  status->hand_weight = router_.service_on() ? router_.hand_weight(t) : 0;
   status->remote = state_.remote;
   status->stick_wish = router_.stick_wish();
   status->commands = router_.counts(robot::kLowCmdTopic);
   status->arm_commands = router_.counts(robot::kArmSdkTopic);
   status->user_commands = router_.counts(robot::kUserLowCmdTopic);
+  status->hand_commands = router_.counts(robot::kHandSdkTopic);
   status->port = ports_.topics->counts();
   status->command_writers = ports_.topics->command_writers();
   if (ports_.services != nullptr) status->services = ports_.services->counts();

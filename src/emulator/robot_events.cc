@@ -37,10 +37,14 @@ RobotEvents::RobotEvents(const robot::RobotSpec& spec, std::uint8_t index, Event
       moved_[robot::kArmSdkTopic].push_back({i, &motor});
     }
   }
+  std::size_t of_hands = 0;
   for (std::size_t hand = 0; hand < spec.hands.size(); ++hand) {
     const std::vector<robot::MotorSpec>& motors = spec.hands[hand].motors;
-    for (std::size_t i = 0; i < motors.size(); ++i) {
+    for (std::size_t i = 0; i < motors.size(); ++i, ++of_hands) {
       moved_[robot::kFirstHandTopic + hand].push_back({i, &motors[i]});
+      if (spec.hands[hand].sdk_slot >= 0) {
+        moved_[robot::kHandSdkTopic].push_back({of_hands, &motors[i]});
+      }
     }
   }
 }
@@ -171,15 +175,15 @@ void RobotEvents::AddTaken(std::size_t topic, const robot::RobotCommand& command
 
 void RobotEvents::AddUnheld(std::size_t topic, const robot::RobotCommand& command) {
   std::vector<Moved>& moved = moved_[topic];
-  const bool arms = topic == robot::kArmSdkTopic;
-  if (arms && command.weight <= 0) return;
+  const bool weighted = topic == robot::kArmSdkTopic || topic == robot::kHandSdkTopic;
+  if (weighted && command.weight <= 0) return;
   const auto of = [&](const Moved& one) { return command.motors[one.index]; };
   if (std::ranges::none_of(moved, [&](const Moved& one) { return of(one).kp > 0; })) return;
   std::size_t unheld = 0;
   std::array<char, sizeof(Event::text)> which{};
   for (const Moved& one : moved) {
     const robot::MotorCommand motor = of(one);
-    if (!motor.enabled || motor.kp > 0 || motor.tau != 0 || (!arms && motor.kd > 0)) continue;
+    if (!motor.enabled || motor.kp > 0 || motor.tau != 0 || (!weighted && motor.kd > 0)) continue;
     if (++unheld > kMostNamed) continue;
     Append(unheld == 1 ? topics_[topic] : ",", &which);
     Append(unheld == 1 ? ": " : " ", &which);

@@ -57,8 +57,8 @@ class RobotEvents {
                   const authority::GateCounts& counts);
   // A taken command of a topic. Tells the first of rt/lowcmd that asks a joint for an angle, and
   // the first of each topic that holds some joints and leaves others without gains and torque;
-  // rt/arm_sdk takes a joint from the motion service, so that kd alone does not hold it. `state` is
-  // the last sample, empty before the first one.
+  // rt/arm_sdk and rt/hand_sdk take a joint from another, so that kd alone does not hold it.
+  // `state` is the last sample, empty before the first one.
   void AddTaken(std::size_t topic, const robot::RobotCommand& command,
                 const robot::RobotState& state);
   // A fault of those that `bank` knows, which begins or is over.

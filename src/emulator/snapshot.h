@@ -36,7 +36,8 @@ enum SnapshotPart : std::uint32_t {
   kPartDamage = 1U << 14,
   kPartMotion = 1U << 15,
   kPartTruth = 1U << 16,
-  kPartSettings = 1U << 17,  // for GET /settings alone
+  kPartTouch = 1U << 17,
+  kPartSettings = 1U << 18,  // for GET /settings alone
 };
 using SnapshotParts = std::uint32_t;  // bits of SnapshotPart
 
@@ -51,9 +52,9 @@ inline constexpr SnapshotPartName kSnapshotParts[] = {
     {"motors", kPartMotors},   {"imus", kPartImus},     {"battery", kPartBattery},
     {"feet", kPartFeet},       {"remote", kPartRemote}, {"wireless_remote", kPartWirelessRemote},
     {"command", kPartCommand}, {"faults", kPartFaults}, {"damage", kPartDamage},
-    {"motion", kPartMotion},   {"truth", kPartTruth},
+    {"motion", kPartMotion},   {"truth", kPartTruth},   {"touch", kPartTouch},
 };
-inline constexpr SnapshotParts kAllSnapshotParts = (kPartTruth << 1) - 1;
+inline constexpr SnapshotParts kAllSnapshotParts = (kPartTouch << 1) - 1;
 
 struct SnapshotCrane {
   bool attached = false;
@@ -122,6 +123,7 @@ struct Snapshot {
   robot::DamageTotals damage;                // since the start
   SnapshotMotion motion;
   robot::TrueValues truth;       // of the instant of `motors`
+  std::vector<float> touch;      // N on each cell, by hand, pad, row and column: the truth
   std::vector<double> settings;  // by setting_keys
   // The least and the most friction that the ground has now; with kPartSettings.
   std::array<double, 2> ground_friction{};

@@ -72,11 +72,13 @@ struct Status {
   std::array<char, 32> motion_service{};  // alias of the one that is on; "" if none is
   robot::MotionState motion;              // of that service
   double arm_weight = 0;                  // of rt/arm_sdk, 0..1
+  double hand_weight = 0;                 // of rt/hand_sdk, 0..1
   robot::RemoteReading remote;
   std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s from the sticks
   authority::GateCounts commands;
   authority::GateCounts arm_commands;   // of rt/arm_sdk
   authority::GateCounts user_commands;  // of rt/user_lowcmd
+  authority::GateCounts hand_commands;  // of rt/hand_sdk
   std::array<HandStatus, robot::kMostHands> hands;
   std::array<HandForce, robot::kMostHandNames> hand_forces;
   robot::PortCounts port;
@@ -101,6 +103,7 @@ inline const authority::GateCounts& CommandCounts(const Status& status, std::siz
   if (topic == robot::kLowCmdTopic) return status.commands;
   if (topic == robot::kArmSdkTopic) return status.arm_commands;
   if (topic == robot::kUserLowCmdTopic) return status.user_commands;
+  if (topic == robot::kHandSdkTopic) return status.hand_commands;
   return status.hands[topic - robot::kFirstHandTopic].commands;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "emulator/world.h"
+#include "robot/pads.h"
 
 namespace understudy::emulator {
 namespace {
@@ -47,6 +48,7 @@ Snapshot World::MakeSnapshot(std::size_t robot) const {
   snapshot.truth.dq.resize(snapshot.motor_names.size());
   snapshot.truth.tau.resize(snapshot.motor_names.size());
   snapshot.truth.foot_force.resize(spec.feet.size());
+  snapshot.touch.resize(robot::CellsOf(spec));
   return snapshot;
 }
 
@@ -103,6 +105,7 @@ void World::Show(Snapshot* snapshot) const {
   if (Has(*snapshot, kPartDamage)) snapshot->damage = robot.damage();
   // As the motors: nothing before the first tick.
   if (Has(*snapshot, kPartTruth) && !state.truth.q.empty()) snapshot->truth = state.truth;
+  if (Has(*snapshot, kPartTouch)) physics_.robot(snapshot->robot).ReadTouch(snapshot->touch);
   if (Has(*snapshot, kPartSettings)) {
     for (std::size_t i = 0; i < snapshot->settings.size(); ++i) {
       snapshot->settings[i] = Setting(i, robot);

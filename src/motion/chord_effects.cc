@@ -39,7 +39,7 @@ std::string NameOfStance(const robot::HumanoidMotionSpec& spec, int id) {
 }
 
 std::vector<int> StancesOf(const robot::HumanoidMotionSpec& spec) {
-  std::vector<int> ids = {kZeroTorqueId, kDampingId,          spec.lock_stand,  spec.squat,
+  std::vector<int> ids = {robot::kZeroTorqueId, robot::kDampingId,          spec.lock_stand,  spec.squat,
                           spec.sit,      spec.balanced_squat, spec.arms_balance};
   ids.insert(ids.end(), spec.balance.begin(), spec.balance.end());
   ids.insert(ids.end(), spec.walk.begin(), spec.walk.end());
@@ -91,8 +91,8 @@ std::vector<ChordEffect> OfQuadruped(const robot::RobotSpec& spec,
 
 // The state that the goal asks for; nullopt: none.
 std::optional<int> WishedStance(const authority::MotionGoal& wish) {
-  if (std::holds_alternative<goal::ZeroTorque>(wish)) return kZeroTorqueId;
-  if (std::holds_alternative<goal::Damp>(wish)) return kDampingId;
+  if (std::holds_alternative<goal::ZeroTorque>(wish)) return robot::kZeroTorqueId;
+  if (std::holds_alternative<goal::Damp>(wish)) return robot::kDampingId;
   if (const auto* const fsm = std::get_if<goal::SetFsm>(&wish)) return fsm->id;
   return std::nullopt;
 }

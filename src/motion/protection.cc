@@ -174,7 +174,7 @@ robot::MotionState ProtectedMotion::state() const {
   robot::MotionState state = motion_->state();
   state.dangers = dangers_;
   const int told = spec_.motion.humanoid.protection;
-  if (told < 0 || state.id != kDampingId) return state;
+  if (told < 0 || state.id != robot::kDampingId) return state;
   const auto damps = [](const robot::DangerReading& one) { return one.does == Protection::kDamp; };
   if (std::ranges::any_of(dangers_, damps)) {
     state.id = told;

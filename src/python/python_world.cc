@@ -104,6 +104,10 @@ std::size_t PythonRobot::TopicOf(const std::string& topic) const {
 robot::RobotCommand PythonRobot::CommandOf(std::size_t topic) const {
   using enum robot::HandLaw::Follows;
   robot::RobotCommand command;
+  if (topic == robot::kHandSdkTopic) {
+    command.motors.resize(robot::AllMotors(spec()).size() - spec().motors.size());
+    return command;
+  }
   if (topic < robot::kFirstHandTopic) {
     command.motors.resize(spec().motors.size());
     return command;

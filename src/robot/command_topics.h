@@ -15,19 +15,21 @@ namespace understudy::robot {
 inline constexpr std::size_t kLowCmdTopic = 0;
 inline constexpr std::size_t kArmSdkTopic = 1;
 inline constexpr std::size_t kUserLowCmdTopic = 2;
-inline constexpr std::size_t kFirstHandTopic = 3;  // then the other hands, as in RobotSpec::hands
+inline constexpr std::size_t kHandSdkTopic = 3;
+inline constexpr std::size_t kFirstHandTopic = 4;  // then the other hands, as in RobotSpec::hands
 inline constexpr std::size_t kMostCommandTopics = kFirstHandTopic + kMostHands;
 
 // The names of the topics before those of hands.
 inline constexpr std::array<std::string_view, kFirstHandTopic> kCommandTopicNames = {
-    "rt/lowcmd", "rt/arm_sdk", "rt/user_lowcmd"};
+    "rt/lowcmd", "rt/arm_sdk", "rt/user_lowcmd", "rt/hand_sdk"};
 
 constexpr bool IsBodyCommandTopic(std::string_view topic) {
-  return std::ranges::find(kCommandTopicNames, topic) != kCommandTopicNames.end();
+  return std::ranges::find(kCommandTopicNames, topic) < kCommandTopicNames.begin() + kHandSdkTopic;
 }
-// Of the hand of some robot (HandSpec::topic).
+// Of the hand of some robot (HandSpec::topic, or rt/hand_sdk).
 constexpr bool IsHandCommandTopic(std::string_view topic) {
-  return topic.ends_with("/cmd") || topic.find("/ctrl/") != std::string_view::npos;
+  return topic == kCommandTopicNames[kHandSdkTopic] || topic.ends_with("/cmd") ||
+         topic.find("/ctrl/") != std::string_view::npos;
 }
 
 // Returns the topics of commands to a robot, by number; "" where it has none.

@@ -12,7 +12,7 @@ constexpr double kCopper = 0.00393;    // 1/°C, of copper's resistance about 20
 constexpr double kColdWinding_c = 25;  // for which watt_per_nm2 holds
 
 MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
-  if (!command.enabled) return {.enabled = true, .q = kNoPosition, .kd = spec.lock_kd};
+  if (!command.enabled) return Locked(spec.lock_kd);
   command.kp *= spec.kp_scale;
   command.kd *= spec.kd_scale;
   return command;

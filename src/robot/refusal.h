@@ -18,8 +18,9 @@ enum class Refusal : std::uint8_t {
   kNotFinite,        // NaN or infinity in a motor's command
   kGain,             // a negative kp or kd
   kMotionService,    // a motion service moves the motors
-  kNoMotionService,  // rt/arm_sdk, rt/user_lowcmd: none is on
+  kNoMotionService,  // rt/arm_sdk, rt/hand_sdk, rt/user_lowcmd: none is on
   kNotHandedOver,    // rt/user_lowcmd: the motion service has not handed over the motors
+  kDamping,          // rt/hand_sdk: the motion service damps
   kUndecoded,        // not a message of the topic's type
   kLost,             // replaced by newer ones before it was read, or lost by the bus
   kUnmatched,        // counts writers, of another type or quality of service than the topic's
@@ -30,21 +31,10 @@ inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::kCoun
 
 // Returns the word for logs, counters and the control plane.
 constexpr std::string_view Name(Refusal refusal) {
-  constexpr std::array<std::string_view, kRefusals> kNames = {"none",
-                                                              "crc",
-                                                              "head",
-                                                              "mode_machine",
-                                                              "mode_pr",
-                                                              "motor_mode",
-                                                              "motor_count",
-                                                              "not_finite",
-                                                              "gain",
-                                                              "motion_service",
-                                                              "no_motion_service",
-                                                              "not_handed_over",
-                                                              "undecoded",
-                                                              "lost",
-                                                              "unmatched"};
+  constexpr std::array<std::string_view, kRefusals> kNames = {
+      "none",        "crc",        "head", "mode_machine",   "mode_pr",           "motor_mode",
+      "motor_count", "not_finite", "gain", "motion_service", "no_motion_service", "not_handed_over",
+      "damping",     "undecoded",  "lost", "unmatched"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

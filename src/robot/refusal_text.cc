@@ -28,6 +28,9 @@ std::string_view Explain(Refusal refusal) {
              "(MotionSwitcherClient SelectMode) or command by rt/lowcmd";
     case Refusal::kNotHandedOver:
       return "the motion service has not handed the motors over; LocoClient SwitchToUserCtrl does";
+    case Refusal::kDamping:
+      return "it has no effect while the motion service damps; have the robot stand (LocoClient "
+             "SetFsmId), then send the weight anew";
     case Refusal::kUndecoded:
       return "its bytes are not a message of the topic's type; was the program built with the "
              "vendor's IDL?";
@@ -44,6 +47,10 @@ std::string_view Explain(Refusal refusal) {
 }
 
 std::string_view ExplainForHand(Refusal refusal) {
+  if (refusal == Refusal::kNoMotionService) {
+    return "rt/hand_sdk has an effect only while a motion service is on, and none is; start one "
+           "(MotionSwitcherClient SelectMode) or command the hands by topics of their own";
+  }
   if (refusal != Refusal::kMotorMode) return Explain(refusal);
   return "mode of motor_cmd[i] must be i + 16 to follow or i to lock, and 128 more to have the "
          "motor lock by itself when commands stop";

@@ -3,6 +3,7 @@
 // range.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -165,6 +166,7 @@ struct HandSpec {
   std::vector<MotorSpec> motors{};
   int slot = 0;                 // of its first motor in the messages
   int slots = 0;                // of the messages; 0: as many as it has motors
+  int sdk_slot = -1;            // of its first motor in rt/hand_sdk; -1: that does not reach it
   std::vector<PadSpec> pads{};  // in the order of the messages
   TouchSpec touch{};            // of the pads
   double timeout = 1;           // s without a command after which watched motors lock
@@ -323,6 +325,7 @@ struct ThermalSpec {
 };
 
 inline constexpr std::size_t kMostHands = 2;
+inline constexpr int kHandSdkMotors = 4;  // of a message of rt/hand_sdk (the vendor's page)
 
 struct RobotSpec {
   std::string name;
@@ -350,6 +353,9 @@ struct RobotSpec {
   std::vector<std::string> hand_makes;  // names of config/hands that it can bear
   std::string hand_make = "none";       // which it bears, by side (config/hand_choice.h)
   std::vector<HandSpec> hands;          // hg only, at most kMostHands
+  // s after which a command of rt/hand_sdk expires; 0 = never. *assumed*: the vendor's example
+  // writes once a second
+  double hand_sdk_timeout = 2;
   ImuSpec imu;
   EncoderNoiseSpec encoder_noise;
   std::vector<FootSpec> feet;  // FR FL RR RL for quadrupeds: the order of foot_force
@@ -378,6 +384,11 @@ struct RobotSpec {
   Eigen::Vector3d crane_point{0, 0, 0};  // m, hook in that body's frame
   std::string default_start;             // lying | standing | hanging | clamped
 };
+
+// Whether rt/hand_sdk reaches a hand of the robot.
+inline bool HasHandSdk(const RobotSpec& spec) {
+  return std::ranges::any_of(spec.hands, [](const HandSpec& hand) { return hand.sdk_slot >= 0; });
+}
 
 // Returns the type of that name, null if there is none.
 inline const MotorTypeSpec* FindMotorType(const RobotSpec& spec, const std::string& name) {

@@ -46,6 +46,11 @@ struct MotorCommand {
   friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
 };
 
+// What a motor follows that is not enabled: it only brakes.
+inline MotorCommand Locked(double lock_kd) {
+  return {.enabled = true, .q = kNoPosition, .kd = lock_kd};
+}
+
 // Whether it has the motor go to an angle.
 inline bool AsksForAngle(const MotorCommand& command) {
   return command.enabled && command.kp > 0 && command.q != kNoPosition;
@@ -62,7 +67,7 @@ inline bool AsksForTorque(const MotorCommand& command) {
 // as followed.
 struct RobotCommand {
   std::vector<MotorCommand> motors;
-  double weight = 0;  // of rt/arm_sdk: as sent
+  double weight = 0;  // of rt/arm_sdk and rt/hand_sdk: as sent
 };
 
 // The reading of one motor. Joint side, signs as in MotorCommand.
@@ -127,6 +132,9 @@ struct LegOdometry {
   Eigen::Vector3d p_OB{0, 0, 0};    // m
   Eigen::Vector3d v_OB_B{0, 0, 0};  // m/s
 };
+
+// Of a humanoid's state machine, on all of the vendor's.
+inline constexpr int kZeroTorqueId = 0, kDampingId = 1;
 
 // The state of a motion service.
 struct MotionState {

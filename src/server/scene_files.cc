@@ -10,6 +10,8 @@
 
 #include "mjcf/compile.h"
 #include "motion/chord_effects.h"
+#include "robot/hand_law.h"
+#include "robot/pads.h"
 #include "robot/start_pose.h"
 
 namespace understudy::server {
@@ -78,6 +80,22 @@ ordered_json MotorsJson(const robot::RobotSpec& robot, const physics::Scene& sce
     }
   }
   return motors;
+}
+
+// Of the pads of all hands, in the order of a snapshot's `touch`.
+ordered_json PadsJson(const robot::RobotSpec& spec) {
+  const std::vector<std::string> names = robot::PadNames(spec);
+  ordered_json pads = ordered_json::array();
+  for (const robot::HandSpec& hand : spec.hands) {
+    for (const robot::PadSpec& pad : hand.pads) {
+      pads.push_back({{"hand", robot::HandNameOf(hand, pad.site)},
+                      {"name", names[pads.size()]},
+                      {"rows", pad.rows},
+                      {"columns", pad.columns},
+                      {"taxels", pad.taxels}});
+    }
+  }
+  return pads;
 }
 
 }  // namespace
@@ -166,6 +184,7 @@ std::string SceneFiles::SceneText() {
       {"imus", imus},
       {"feet",
        List(robot_->feet, [](const robot::FootSpec& foot) { return ordered_json(foot.name); })},
+      {"pads", PadsJson(*robot_)},
       {"poses", robot::kStartPoses},
       {"states", List(motion::StateNames(*robot_),
                       [](const motion::StateName& state) -> ordered_json {

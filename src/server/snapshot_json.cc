@@ -71,6 +71,7 @@ class Writer {
     PutPart(emulator::kPartDamage, snapshot_.damage);
     PutPart(emulator::kPartMotion, snapshot_.motion);
     PutPart(emulator::kPartTruth, snapshot_.truth);
+    PutPart(emulator::kPartTouch, snapshot_.touch);
     Close('}');
     return std::move(text_);
   }

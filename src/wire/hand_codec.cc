@@ -118,6 +118,26 @@ robot::Refusal Decode(const unitree_go_msg_dds__MotorCmds_& message, const robot
   return robot::Refusal::kNone;
 }
 
+robot::Refusal DecodeHandSdk(const unitree_go_msg_dds__MotorCmds_& message,
+                             const robot::RobotSpec& spec, robot::RobotCommand* command) {
+  const std::span wire(message.cmds._buffer, message.cmds._length);
+  if (wire.size() < robot::kHandSdkMotors) return robot::Refusal::kMotorCount;
+  command->weight = wire[0].mode / 100.0;
+  command->motors.clear();
+  for (const robot::HandSpec& hand : spec.hands) {
+    for (std::size_t i = 0; i < hand.motors.size(); ++i) {
+      robot::MotorCommand& decoded = command->motors.emplace_back();
+      if (hand.sdk_slot < 0) continue;
+      decoded = DecodeMotor(wire[static_cast<std::size_t>(hand.sdk_slot) + i]);
+      decoded.enabled = true;
+      if (decoded.q != robot::kNoPosition) decoded.q = -decoded.q;
+      if (decoded.dq != robot::kNoVelocity) decoded.dq = -decoded.dq;
+      decoded.tau = -decoded.tau;
+    }
+  }
+  return robot::Refusal::kNone;
+}
+
 MotorStatesMessage::MotorStatesMessage(const robot::HandSpec& spec)
     : spec_(spec), motors_(robot::SlotsOf(spec)) {}
 

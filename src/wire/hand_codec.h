@@ -32,6 +32,14 @@ robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::
 robot::Refusal Decode(const unitree_go_msg_dds__MotorCmds_& message, const robot::HandSpec& spec,
                       robot::RobotCommand* command);
 
+// Decodes a message of rt/hand_sdk to the motors of all hands, in motor order; those of hands
+// without an sdk_slot stay as they are by default. Every motor is enabled and not watched. The
+// weight is the mode of the first entry, in percent. A positive q, dq or tau closes, while the
+// joints of hands open so (the vendor's page hand_sdk). Returns kMotorCount for fewer than
+// kHandSdkMotors; further ones are ignored, which is *assumed*.
+robot::Refusal DecodeHandSdk(const unitree_go_msg_dds__MotorCmds_& message,
+                             const robot::RobotSpec& spec, robot::RobotCommand* command);
+
 // A HandState_ and the memory of its sequences.
 class HandStateMessage {
  public:

@@ -55,6 +55,12 @@ void Port::HearHg() {
   };
   if (!spec_.arm_sdk.slots.empty()) Hear(robot::kArmSdkTopic, kHgArmSdk, decode_unsigned);
   if (spec_.user_lowcmd) Hear(robot::kUserLowCmdTopic, kUserLowCmd, decode_unsigned);
+  if (robot::HasHandSdk(spec_)) {
+    Hear(robot::kHandSdkTopic, kHandSdk,
+         [this](const unitree_go_msg_dds__MotorCmds_& message, robot::RobotCommand* command) {
+           return DecodeHandSdk(message, spec_, command);
+         });
+  }
   const std::vector<RobotTopic> topics = CommandTopics(spec_);
   for (std::size_t hand = 0; hand < spec_.hands.size(); ++hand) {
     HearHand(hand, topics[robot::kFirstHandTopic + hand].name);

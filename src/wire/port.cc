@@ -26,7 +26,7 @@ Port::Port(const bus::Participant& participant, const robot::RobotSpec& spec, do
       outlets_(participant, timestep) {
   for (std::size_t number = 0; number < robot::kMostCommandTopics; ++number) {
     sources_.push_back(
-        {nullptr, Inlet(number < robot::kFirstHandTopic)});  // those of hands have no crc
+        {nullptr, Inlet(number < robot::kHandSdkTopic)});  // those of hands have no crc
   }
   const bool go = spec.family == robot::WireFamily::kGo;
   go ? HearGo() : HearHg();

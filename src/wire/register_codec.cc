@@ -124,9 +124,10 @@ RegisterStateMessage::Status RegisterStateMessage::StatusOf(const robot::MotorSp
   if (!read.enabled) return kReached;
   const double most = std::min(read.most, motor.torque_limit);
   const bool pushes = std::abs(read.tau) >= kAtLimit * most;
-  if (pushes && std::abs(read.dq) < kSlow * motor.knee_speed) {
-    return read.tau * SpanLength(motor) > 0 ? kStalled : kForce;
-  }
+  const bool rests = std::abs(read.dq) < kSlow * motor.knee_speed;
+  if (pushes && rests) return read.tau * SpanLength(motor) > 0 ? kStalled : kForce;
+  const bool all = std::abs(read.tau) >= kAtLimit * motor.torque_limit;
+  if (all && !rests && read.tau * read.dq < 0) return kCurrent;
   if (read.led_dq == 0) return kReached;
   return read.led_dq * SpanLength(motor) > 0 ? kOpens : kCloses;
 }
@@ -145,7 +146,8 @@ void RegisterStateMessage::Encode(std::span<const robot::MotorReading> reading) 
     status_[i] = StatusOf(motor, read);
     err_[i] = static_cast<std::uint8_t>(
         Bit(status_[i] == kStalled, kStallError) | Bit(read.overheated, kHeatError) |
-        Bit(read.encoder_error, kMotorError) | Bit(read.silent, kLinkError));
+        Bit(status_[i] == kCurrent, kCurrentError) | Bit(read.encoder_error, kMotorError) |
+        Bit(read.silent, kLinkError));
   }
 }
 

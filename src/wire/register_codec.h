@@ -45,11 +45,18 @@ class RegisterStateMessage {
     kCloses = 1,
     kReached = 2,
     kForce = 3,    // it closes with as much as its register of force has
+    kCurrent = 5,  // its current is at its limit, and it is moved the other way: *assumed*
     kStalled = 6,  // it opens with as much and does not move
     kFailed = 7,   // too hot, or not answering
   };
   // Bits of err.
-  enum Error : std::uint8_t { kStallError = 1, kHeatError = 2, kMotorError = 8, kLinkError = 16 };
+  enum Error : std::uint8_t {
+    kStallError = 1,
+    kHeatError = 2,
+    kCurrentError = 4,
+    kMotorError = 8,
+    kLinkError = 16,
+  };
 
   static constexpr double kGripCurrent = 750;  // mA, a sixth of what a hand draws at its most
 

@@ -24,7 +24,8 @@ constexpr TopicName kAll[] = {
 
 static_assert(robot::kCommandTopicNames[robot::kLowCmdTopic] == topic::kHgLowCmd.name &&
               robot::kCommandTopicNames[robot::kArmSdkTopic] == topic::kHgArmSdk.name &&
-              robot::kCommandTopicNames[robot::kUserLowCmdTopic] == topic::kUserLowCmd.name);
+              robot::kCommandTopicNames[robot::kUserLowCmdTopic] == topic::kUserLowCmd.name &&
+              robot::kCommandTopicNames[robot::kHandSdkTopic] == topic::kHandSdk.name);
 
 constexpr std::string_view kServices = "rt/api/", kRequest = "/request", kResponse = "/response";
 
@@ -76,8 +77,9 @@ std::vector<RobotTopic> CommandTopics(const robot::RobotSpec& spec) {
     const std::size_t number = topics.size();
     topics.push_back({name, number >= robot::kFirstHandTopic
                                 ? TypesOfHand(spec.hands[number - robot::kFirstHandTopic]).command
-                            : go ? topic::kGoLowCmd.type
-                                 : topic::kHgLowCmd.type});
+                            : number == robot::kHandSdkTopic ? topic::kHandSdk.type
+                            : go                             ? topic::kGoLowCmd.type
+                                                             : topic::kHgLowCmd.type});
   }
   return topics;
 }

@@ -26,8 +26,7 @@ constexpr Server kServers[] = {
     {"rt/unitree_actuator/",
      "a robot with Dex1-1 grippers of old programs, as `understudy run g1 --hands dex1_old`"},
     {"rt/hand_sdk",
-     "the motion service of a G1 with hands on its inner bus, which are not simulated; "
-     "`understudy run g1 --hands dex1` has grippers on rt/dex1"},
+     "the motion service of a G1 with Dex1-1 grippers, as `understudy run g1 --hands dex1`"},
     {"rt/dex3/", "a robot with Dex3-1 hands, as `understudy run g1 --hands dex3`"},
     {"rt/inspire/", "a robot with Inspire DFX hands, as `understudy run g1 --hands inspire`"},
     {"rt/inspire_hand/",

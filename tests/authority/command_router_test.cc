@@ -204,6 +204,60 @@ TEST_F(CommandRouterTest, CountsEveryTopicApart) {
   EXPECT_EQ(router_->counts(right).timeouts, 0U);
 }
 
+// A gripper that follows half of what comes by rt/hand_sdk.
+class HandSdkTest : public CommandRouterTest {
+ protected:
+  HandSdkTest() {
+    spec_.hands = {{.name = "left", .law = "dex1", .motors = {{.joint = "jaw"}}, .sdk_slot = 0}};
+    Make();
+    Torques();
+  }
+  robot::Refusal OfferSdk() {
+    return OfferTo(robot::kHandSdkTopic,
+                   {.motors = {{.enabled = true, .tau = kUser}}, .weight = 0.5});
+  }
+  double Jaw() {
+    Torques();
+    return router_->command().motors[2].tau;
+  }
+};
+
+TEST_F(HandSdkTest, IsMixedByItsWeightWithTheHandsOwnTopic) {
+  EXPECT_EQ(OfferSdk(), robot::Refusal::kNone);
+  EXPECT_EQ(Jaw(), kUser / 2);
+  EXPECT_EQ(OfferTo(robot::kFirstHandTopic, {.motors = {{.enabled = true, .tau = 1}}}),
+            robot::Refusal::kNone);
+  EXPECT_EQ(Jaw(), (kUser + 1) / 2);
+  EXPECT_EQ(router_->hand_weight(input_.time), 0.5);
+  EXPECT_EQ(Torques(), Pair(kService, kService)) << "the body does not follow it";
+}
+
+TEST_F(HandSdkTest, FallsBackWhenItsProgramGoesSilent) {
+  OfferSdk();
+  input_.time += spec_.hand_sdk_timeout;
+  EXPECT_EQ(Jaw(), 0);
+}
+
+TEST_F(HandSdkTest, IsRefusedWhileTheServiceDampsAndForgottenUntilItIsSentAnew) {
+  OfferSdk();
+  router_->owner().Ask(goal::Damp{});
+  EXPECT_EQ(Jaw(), 0);
+  EXPECT_EQ(OfferSdk(), robot::Refusal::kDamping);
+  router_->owner().Restart();
+  EXPECT_EQ(Jaw(), 0);
+  EXPECT_EQ(OfferSdk(), robot::Refusal::kNone);
+  EXPECT_EQ(Jaw(), kUser / 2);
+  EXPECT_EQ(router_->counts(robot::kHandSdkTopic).accepted, 2U);
+  EXPECT_EQ(Refused(robot::kHandSdkTopic, robot::Refusal::kDamping), 1U);
+}
+
+TEST_F(HandSdkTest, NeedsAMotionService) {
+  OfferSdk();
+  router_->owner().Release();
+  EXPECT_EQ(Jaw(), 0);
+  EXPECT_EQ(OfferSdk(), robot::Refusal::kNoMotionService);
+}
+
 TEST_F(CommandRouterTest, PassesChordsToTheService) {
   Make();
   Press("L2+Y");  // not from state 0

@@ -182,6 +182,10 @@ TEST_F(HandsTest, HaveRoomInTheirMessages) {
   EXPECT_EQ(HandsError(Hand("left", kThumb, ", slot: 6, slots: 12")), "");
   EXPECT_THAT(HandsError(Hand("left", kThumb, ", slot: 6")),
               testing::HasSubstr("robot.hands.0.slots: expected room for 1 motors from slot 6"));
+  EXPECT_EQ(HandsError(Hand("left", kThumb, ", sdk_slot: 3")), "");
+  EXPECT_THAT(HandsError(Hand("left", std::string(kThumb) + ", {joint: index, torque_limit: 1}",
+                              ", sdk_slot: 3")),
+              testing::HasSubstr("robot.hands.0.sdk_slot: expected room for 2 of the 4 motors"));
 }
 
 TEST_F(HandsTest, WhoseLawLeadsMotorsHaveTheFiguresForIt) {

@@ -40,6 +40,7 @@ class Run:
     errors: str
     commands: dict
     hands: list
+    hand_sdk: dict
 
     @property
     def refused(self):
@@ -90,6 +91,6 @@ def rehearse(tmp_path_factory):
         said = f"{done.stdout}\n{done.stderr}"
         assert status.exists() and status.stat().st_size, f"no status from the robot\n{said}"
         told = json.loads(status.read_text())
-        return Run(done.returncode, done.stdout, done.stderr, told["commands"], told["hands"])
+        return Run(done.returncode, done.stdout, done.stderr, told["commands"], told["hands"], told["hand_sdk"])
 
     return run

@@ -281,6 +281,20 @@ TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   EXPECT_EQ(world_->status(0).gate, authority::GateState::kClosed);
 }
 
+TEST_F(AllocationTest, DoesNotHappenInAG1WithTwoInspireHandsWhichTellsEachLowState) {
+  const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);
+  config_ = config::LoadConfig({.robot = "g1", .sets = {"robot.hand_make=inspire"}}, root);
+  port_.TellEvery(1);
+  port_.KeepTheLastOnly();
+  port_.SendHandsEveryTick(
+      {.motors = std::vector<robot::MotorCommand>(12, {.enabled = true, .q = 0.5})});
+  world_ = MakeIn(assembly::MakePhysics(&config_).world, &port_, &inbox_);
+  CountIn(10);
+  EXPECT_EQ(CountIn(500), 0);
+  EXPECT_EQ(world_->status(0).hands[0].commands.accepted, 510U);
+  EXPECT_EQ(world_->status(0).published, 510U);
+}
+
 // Objects lie, are put elsewhere, roll, are met by a robot and watched.
 TEST_F(AllocationTest, DoesNotHappenAmongObjects) {
   config_ = config::LoadConfig(

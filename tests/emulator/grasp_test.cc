@@ -192,6 +192,11 @@ TEST_P(FeltTest, AThingIsFeltByTheFingersThatHoldItAndNowhereElse) {
   EXPECT_EQ(Force(), 0);
   Take(0.4);
   EXPECT_GT(Force(), 2);
+  Snapshot shown = world_->MakeSnapshot(0);
+  shown.parts = kPartTouch;
+  world_->Show(&shown);
+  EXPECT_EQ(shown.touch.size(), port_.last().state.touch.size());
+  EXPECT_GT(*std::ranges::max_element(shown.touch), 0.5) << "N";
   const bool ftp = GetParam().make == "inspire_ftp";
   for (const std::string finger : {"thumb", "index", "middle"}) {
     EXPECT_GT(Counts((ftp ? "left_" : "hand_") + finger), 300) << finger;

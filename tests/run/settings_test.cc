@@ -185,6 +185,18 @@ void UsesHand(Played* played) {
   played->Send(kTopic, message);
 }
 
+// Opens a left gripper by one message of rt/hand_sdk, with half a weight.
+void OpensGripper(Played* played) {
+  if (played->ms() != 100) return;
+  std::array<unitree_go_msg_dds__MotorCmd_, 4> motors{};
+  motors[0].mode = 50;
+  motors[0].tau = -0.3F;
+  played->Send(
+      wire::kHandSdk,
+      unitree_go_msg_dds__MotorCmds_{
+          .cmds = {._maximum = 4, ._length = 4, ._buffer = motors.data(), ._release = false}});
+}
+
 // Once, what services there are.
 void AsksForServices(Played* played) {
   static const bus::Topic<unitree_api_msg_dds__Request_> kTopic{
@@ -206,6 +218,7 @@ const std::map<std::string, Acts>& NamedActs() {
       {"move an elbow by arm_sdk", MovesElbow(wire::kHgArmSdk)},
       {"move an elbow by user_lowcmd", MovesElbow(wire::kUserLowCmd)},
       {"use a hand", UsesHand},
+      {"open a gripper by hand_sdk", OpensGripper},
       {"ask for services", AsksForServices},
   };
   return acts;

@@ -18,7 +18,7 @@ class MetricsTest : public ::testing::Test {
   MetricsTest() {
     snapshot_.motor_names = {"hip", "kn\"ee"};
     snapshot_.motors.resize(2);
-    snapshot_.command_topics = {"rt/lowcmd", "rt/arm_sdk", "", "rt/dex3/left/cmd"};
+    snapshot_.command_topics = {"rt/lowcmd", "rt/arm_sdk", "", "", "rt/dex3/left/cmd"};
   }
   std::string Dut() const {
     EventHistory events(&ring_);

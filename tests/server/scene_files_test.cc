@@ -40,6 +40,8 @@ class SceneFilesTest : public ::testing::Test {
                             {.keys = "L2+UP", .does = "set_fsm", .value = 4},
                             {.keys = "L2+X", .does = "set_fsm", .value = 702},
                             {.keys = "SELECT+A", .does = "arm_action", .value = 27}};
+    robot_.hands[0].pads = {{.site = "left_tip_touch", .rows = 2, .columns = 3},
+                            {.rows = 1, .columns = 2, .taxels = {1}}};
     robot_.feet = {{.name = "FR", .geoms = {}}};
   }
 
@@ -71,6 +73,9 @@ TEST_F(SceneFilesTest, NamesWhatSnapshotsHaveByNumber) {
   EXPECT_EQ(scene["motors"][3]["slot"], 1);
   EXPECT_EQ(scene["imus"], json({"imu"}));
   EXPECT_EQ(scene["feet"], json({"FR"}));
+  EXPECT_EQ(scene["pads"], json::parse(R"([
+      {"hand": "left", "name": "left_tip", "rows": 2, "columns": 3, "taxels": []},
+      {"hand": "left", "name": "", "rows": 1, "columns": 2, "taxels": [1]}])"));
   EXPECT_EQ(scene["poses"], json({"lying", "standing", "hanging", "clamped"}));
 }
 

@@ -29,6 +29,7 @@ emulator::Snapshot SomeSnapshot() {
   snapshot.imus[0].f_WI_I = {0, 0, 9.5};
   snapshot.battery = {.voltage = 30, .current = -2, .soc = 0.75, .temperature_c = 25};
   snapshot.feet = {10, 20};
+  snapshot.touch = {0, 0.5F};
   snapshot.remote = {.there = true, .keys = 0x0020 | 0x0200, .lx = -1};
   snapshot.wireless_remote[0] = 0x55;
   snapshot.truth.q = {0.5};
@@ -127,6 +128,7 @@ TEST(SnapshotJsonTest, HasEveryPart) {
   EXPECT_EQ(snapshot["truth"]["imus"].size(), snapshot["imus"].size());
   EXPECT_EQ(snapshot["truth"]["imus"][0]["gyroscope"], json({1.0, 2.0, 3.0}));
   EXPECT_FALSE(snapshot["truth"]["imus"][0].contains("temperature"));
+  EXPECT_EQ(snapshot["touch"], json({0.0, 0.5}));
   EXPECT_EQ(snapshot["motion"], json({{"service", "mcf"}, {"state", 1004}, {"name", "lying"}}));
   EXPECT_EQ(snapshot.size(), 4 + std::size(emulator::kSnapshotParts));
 }

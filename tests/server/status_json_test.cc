@@ -33,6 +33,7 @@ emulator::Status EveryFieldSet() {
   status.commands.refused = {0, 11, 12, 13, 14, 15, 19, 16, 17, 18, 0, 0};
   status.arm_commands.accepted = 41;
   status.user_commands.timeouts = 42;
+  status.hand_commands.accepted = 43;
   status.hands[0].name = {'l', 'e', 'f', 't'};
   status.hands[0].commands = {.accepted = 21, .refused = {0, 0, 0, 0, 0, 22}, .timeouts = 23};
   status.port = {.unused_slots = 6, .unset_heads = 7, .write_failures = 8};
@@ -40,6 +41,7 @@ emulator::Status EveryFieldSet() {
   status.motion_service = {'m', 'c', 'f'};
   status.motion = {.id = 1001, .name = "damping", .mode = 7};
   status.arm_weight = 0.25;
+  status.hand_weight = 0.75;
   status.remote = {.there = true, .keys = 0x220, .lx = 1, .ly = 0.5, .rx = -1, .ry = -0.5};
   status.stick_wish = {1, 2, 3};
   status.script_done = 3;
@@ -77,7 +79,7 @@ emulator::Status EveryFieldSet() {
 TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
   const std::string kNone =
       R"({"crc":0,"head":0,"mode_machine":0,"mode_pr":0,"motor_mode":0,"motor_count":0,)"
-      R"("not_finite":0,"gain":0,"motion_service":0,"no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0})";
+      R"("not_finite":0,"gain":0,"motion_service":0,"no_motion_service":0,"not_handed_over":0,"damping":0,"undecoded":0,"lost":0,"unmatched":0})";
   EXPECT_EQ(
       StatusJson(kG1, EveryFieldSet()).dump(),
       R"({"robot":"g1","name":"","version":"1.2.3","pid":42,"log":"/tmp/a.log","ready":true,"silenced":true,"time":12.5,)"
@@ -86,21 +88,22 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
       R"("commands":{"state":"following","accepted":100,"timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
       R"("motor_mode":15,"motor_count":19,"not_finite":16,"gain":17,"motion_service":18,)"
-      R"("no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0},"unused_slots":6,)"
+      R"("no_motion_service":0,"not_handed_over":0,"damping":0,"undecoded":0,"lost":0,"unmatched":0},"unused_slots":6,)"
       R"("unset_heads":7,)"
       R"("writers":1},)"
       R"("arm_sdk":{"accepted":41,"refused":)" +
           kNone + R"(},"user_lowcmd":{"accepted":0,"timeouts":42,"refused":)" + kNone +
+          R"(},"hand_sdk":{"accepted":43,"refused":)" + kNone +
           R"(},)"
           R"("hands":[{"name":"left","accepted":21,"timeouts":23,"refused":{"crc":0,"head":0,"mode_machine":0,)"
           R"("mode_pr":0,"motor_mode":22,"motor_count":0,"not_finite":0,"gain":0,"motion_service":0,)"
-          R"("no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0}}],)"
+          R"("no_motion_service":0,"not_handed_over":0,"damping":0,"undecoded":0,"lost":0,"unmatched":0}}],)"
           R"("hand_force":{"left":24.5,"right":25.5},)"
           R"("services":{"requests":51,"refused":{"unknown_api":0,"lease":0,"parameter":0,"state":52,"ignored":0,"goal":0,)"
           R"("name":0,"protected":0,"not_simulated":0,"failed":0,"code":0,"not_served":0,"undecoded":0,)"
           R"("too_many":0,"unmatched":0},"lost_replies":53},)"
           R"("power":"booting","boots_for":46.5,)"
-          R"("motion":{"service":"mcf","state":1001,"name":"damping","mode":7,"protects":["heat"],"arm_weight":0.25},)"
+          R"("motion":{"service":"mcf","state":1001,"name":"damping","mode":7,"protects":["heat"],"arm_weight":0.25,"hand_weight":0.75},)"
           R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
           R"("script":{"done":3,"refused":1,"waiting":2,"where":"s.yaml:4","waits_for":"lowcmd arrives"},)"
           R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"

@@ -49,6 +49,7 @@ def test_every_row_says_only_what_the_tool_knows(tool):
         ({"rises": 0.3}, 0, "", 0.1, "rose to 0.10 m only"),
         ({"commands": True}, 0, "", 0.0, "no command was taken"),
         ({"arms": True}, 0, "", 0.0, "moved the arms with weight 0.00 only"),
+        ({"hands": True}, 0, "", 0.0, "moved the hands with weight 0.00 only"),
     ],
 )
 def test_what_is_not_an_end_is_said(tool, row, code, said, highest, reason):

@@ -165,11 +165,14 @@ robot::HandSpec Spanned(const std::string& law) {
 
 class MotorListTest : public testing::Test {
  protected:
-  robot::Refusal Read(const robot::HandSpec& spec, std::size_t length = 3) {
+  unitree_go_msg_dds__MotorCmds_ Message(std::size_t length) {
     unitree_go_msg_dds__MotorCmds_ message{};
     message.cmds._length = static_cast<std::uint32_t>(length);
     message.cmds._buffer = wire_.data();
-    return Decode(message, spec, &command_);
+    return message;
+  }
+  robot::Refusal Read(const robot::HandSpec& spec, std::size_t length = 3) {
+    return Decode(Message(length), spec, &command_);
   }
   static unitree_go_msg_dds__MotorState_ Second(const robot::HandSpec& spec,
                                                 const robot::MotorReading& reading) {
@@ -206,6 +209,28 @@ TEST_F(MotorListTest, RefusesFewerMotorsThanTheServiceReadsAndIgnoresMore) {
   EXPECT_EQ(Read(Spanned("inspire"), 2), robot::Refusal::kMotorCount);
   EXPECT_EQ(Read(Spanned("inspire"), 4), robot::Refusal::kNone);
   EXPECT_EQ(command_.motors.size(), 2U);
+}
+
+TEST_F(MotorListTest, HandSdkClosesPositivelyByTheWeightOfItsFirstMode) {
+  robot::RobotSpec spec;
+  spec.hands = {{.motors = {{.joint = "a"}}, .sdk_slot = 0},
+                {.motors = {{.joint = "b"}}},
+                {.motors = {{.joint = "c"}}, .sdk_slot = 2}};
+  wire_[0].mode = 40;
+  wire_[0].q = robot::kNoPosition;
+  wire_[0].dq = robot::kNoVelocity;
+  wire_[0].tau = 0.5F;
+  wire_[2] = {.mode = 9, .q = 1, .dq = -2, .tau = 3, .kp = 4, .kd = 5, .reserve = {}};
+  EXPECT_EQ(DecodeHandSdk(Message(3), spec, &command_), robot::Refusal::kMotorCount);
+  EXPECT_EQ(DecodeHandSdk(Message(4), spec, &command_), robot::Refusal::kNone);
+  EXPECT_EQ(command_.weight, 0.4);
+  ASSERT_EQ(command_.motors.size(), 3U);
+  EXPECT_EQ(command_.motors[0],
+            (robot::MotorCommand{
+                .enabled = true, .q = robot::kNoPosition, .dq = robot::kNoVelocity, .tau = -0.5}));
+  EXPECT_EQ(command_.motors[1], robot::MotorCommand{});
+  EXPECT_EQ(command_.motors[2],
+            (robot::MotorCommand{.enabled = true, .q = -1, .dq = 2, .tau = -3, .kp = 4, .kd = 5}));
 }
 
 TEST_F(MotorListTest, StatesHaveWhatTheServiceFillsIn) {

@@ -215,6 +215,31 @@ TEST(HandPortTest, TalksInRegistersWhereTheLawSaysSo) {
   EXPECT_EQ(told, 750);
 }
 
+TEST(HandPortTest, HearsHandSdkWhereAHandHasAPlaceInIt) {
+  const bus::Topic<unitree_go_msg_dds__MotorCmds_> topic{kHandSdk};
+  const Played without;
+  bus::Writer<unitree_go_msg_dds__MotorCmds_> unheard(without.participant, topic);
+  const bus::Writer<HandCmd> heard(without.participant, kLeftCmd);
+  ASSERT_TRUE(test::Eventually([&] { return heard.matched_readers() == 1; }));
+  EXPECT_EQ(unheard.matched_readers(), 0);
+  robot::RobotSpec spec = Handy();
+  spec.hands[1].sdk_slot = 2;
+  Played robot(spec);
+  bus::Writer<unitree_go_msg_dds__MotorCmds_> writer(robot.participant, topic);
+  ASSERT_TRUE(test::Eventually([&] { return writer.matched_readers() == 1; }));
+  std::array<unitree_go_msg_dds__MotorCmd_, 4> motors{};
+  motors[0].mode = 100;
+  motors[3].tau = 0.25F;
+  ASSERT_TRUE(writer.Write(
+      {.cmds = {._maximum = 4, ._length = 4, ._buffer = motors.data(), ._release = false}}));
+  ASSERT_TRUE(test::Eventually(
+      [&] { return robot.port.Take(robot::kHandSdkTopic, &robot.command, &robot.wire); }));
+  EXPECT_EQ(robot.wire, robot::Refusal::kNone);
+  EXPECT_EQ(robot.command.weight, 1);
+  ASSERT_EQ(robot.command.motors.size(), 4U);
+  EXPECT_EQ(robot.command.motors[3].tau, -0.25);
+}
+
 TEST(HandPortTest, TellsTouchToReadersAndWhetherThereAreAny) {
   Played robot(Feeling());
   EXPECT_FALSE(robot.port.ReadsTouch(kHandStep));

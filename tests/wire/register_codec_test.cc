@@ -157,6 +157,18 @@ TEST_F(RegisterStateTest, StatusTellsWhatAMotorDoes) {
   EXPECT_EQ(Tell(Following(1, -3)).err, Message::kStallError);
 }
 
+TEST_F(RegisterStateTest, AMotorThatIsMovedAgainstAllItHasIsAtTheLimitOfItsCurrent) {
+  using Message = RegisterStateMessage;
+  robot::MotorReading forced = Following(1, 3);
+  forced.dq = -3;
+  EXPECT_EQ(Tell(forced).status, Message::kCurrent);
+  EXPECT_EQ(Tell(forced).err, Message::kCurrentError);
+  forced.tau = -3;
+  EXPECT_NE(Tell(forced).status, Message::kCurrent) << "it moves where it pushes";
+  forced.tau = forced.most = 1;
+  EXPECT_NE(Tell(forced).status, Message::kCurrent) << "its register of force has less";
+}
+
 TEST_F(RegisterStateTest, FaultsAreBitsOfErrAndStopTheMotor) {
   using Message = RegisterStateMessage;
   robot::MotorReading hot = Following(1);

@@ -55,7 +55,7 @@ TEST(UnservedTest, SaysWhoServesATopic) {
   EXPECT_THAT(WhoWouldSend("rt/utlidar/cloud"), HasSubstr("lidar"));
   EXPECT_THAT(WhoWouldSend("rt/dex1/left/state"), HasSubstr("run g1 --hands dex1"));
   EXPECT_THAT(WhoWouldSend("rt/unitree_actuator/state"), HasSubstr("--hands dex1_old"));
-  EXPECT_THAT(WhoWouldSend("rt/hand_sdk"), HasSubstr("not simulated"));
+  EXPECT_THAT(WhoWouldSend("rt/hand_sdk"), HasSubstr("run g1 --hands dex1"));
   EXPECT_THAT(WhoWouldSend("rt/api/loco/request"), HasSubstr("service that this robot"));
   EXPECT_THAT(WhoWouldSend("rt/secondary_imu"), HasSubstr("another kind"));
   EXPECT_THAT(WhoWouldSend("lowstate"), HasSubstr("the name rt/lowstate on DDS"));

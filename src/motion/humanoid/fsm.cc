@@ -66,8 +66,8 @@ std::string_view Name(HumanoidStance stance) {
 }
 
 HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id) {
-  if (id == kZeroTorqueId) return HumanoidStance::kZeroTorque;
-  if (id == kDampingId) return HumanoidStance::kDamping;
+  if (id == robot::kZeroTorqueId) return HumanoidStance::kZeroTorque;
+  if (id == robot::kDampingId) return HumanoidStance::kDamping;
   if (id < 0) return HumanoidStance::kNone;
   if (id == spec.lock_stand) return HumanoidStance::kLockStand;
   if (id == spec.squat) return HumanoidStance::kSquat;

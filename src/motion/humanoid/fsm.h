@@ -8,9 +8,6 @@
 
 namespace understudy::motion {
 
-inline constexpr int kZeroTorqueId = 0;  // on all humanoids of the vendor
-inline constexpr int kDampingId = 1;
-
 // The kind of a state.
 enum class HumanoidStance : std::uint8_t {
   kZeroTorque,

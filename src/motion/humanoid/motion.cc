@@ -45,7 +45,7 @@ HumanoidMotion::HumanoidMotion(const robot::RobotSpec& spec, const physics::Robo
 
 void HumanoidMotion::Start(const authority::MotionInput& input) {
   senses_.Begin(input);
-  Slacken(kZeroTorqueId);
+  Slacken(robot::kZeroTorqueId);
   const bool can_lock = StanceOf(ids_, ids_.lock_stand) == HumanoidStance::kLockStand;
   if (can_lock && IsInStandingPose()) Lock(ids_.lock_stand, spec_.standing.q, kSettleTime);
 }
@@ -67,11 +67,11 @@ authority::MotionVerdict HumanoidMotion::Ask(const authority::MotionGoal& goal) 
   };
   return std::visit(
       Overloaded{
-          [&](goal_of::ZeroTorque) { return SetFsm(kZeroTorqueId); },
-          [&](goal_of::Damp) { return SetFsm(kDampingId); },
+          [&](goal_of::ZeroTorque) { return SetFsm(robot::kZeroTorqueId); },
+          [&](goal_of::Damp) { return SetFsm(robot::kDampingId); },
           [&](goal_of::Fall) {
             if (!balanced() && !driven()) return MotionVerdict::kNotNow;
-            Slacken(kDampingId);
+            Slacken(robot::kDampingId);
             return MotionVerdict::kTaken;
           },
           [&](goal_of::StandUp) { return SetFsm(ids_.lock_stand); },
@@ -106,8 +106,8 @@ authority::MotionVerdict HumanoidMotion::SetFsm(int id) {
   if (verdict != authority::MotionVerdict::kTaken) return verdict;
   if (id == id_ && id != ids_.balanced_squat) return verdict;
   // States that bear load.
-  if (id == kZeroTorqueId && id_ != kDampingId) return authority::MotionVerdict::kIgnored;
-  if (id == kZeroTorqueId || id == kDampingId) {
+  if (id == robot::kZeroTorqueId && id_ != robot::kDampingId) return authority::MotionVerdict::kIgnored;
+  if (id == robot::kZeroTorqueId || id == robot::kDampingId) {
     Slacken(id);
   } else if (id == ids_.lock_stand) {
     Lock(id, spec_.standing.q, kMoveTime);
@@ -124,7 +124,7 @@ authority::MotionVerdict HumanoidMotion::SetFsm(int id) {
 void HumanoidMotion::Slacken(int id) {
   walk_.Forget();
   stand_.arms().Reset();
-  slack_.Begin(/*limp=*/id == kZeroTorqueId);
+  slack_.Begin(/*limp=*/id == robot::kZeroTorqueId);
   now_ = &slack_;
   id_ = id;
 }
@@ -233,7 +233,7 @@ void HumanoidMotion::Step(const authority::MotionInput& input, double dt,
     if (stand_.upright()) {
       id_ = stood_in_;
     } else if (stand_.squats() && down_for_ >= kSquatLasts) {
-      Slacken(kDampingId);
+      Slacken(robot::kDampingId);
     }
   }
   FollowArms(input.arm_weight);

@@ -71,7 +71,7 @@ class HumanoidMotion final : public authority::Motion {
   HumanoidWalk walk_;
   std::optional<PolicyWalk> policy_;
 
-  int id_ = kZeroTorqueId;
+  int id_ = robot::kZeroTorqueId;
   HumanoidBehaviour* now_ = &slack_;  // the active behaviour
   int stood_in_ = -1;                 // the last state of upright balance
   double down_for_ = 0;               // s since it began to squat, in the balanced squat

@@ -26,7 +26,7 @@ export function ownerOf(status) {
 
 // Of all topics and services.
 const refusedOf = (status) =>
-  [status.commands, status.arm_sdk, status.user_lowcmd, ...status.hands, status.services]
+  [status.commands, status.arm_sdk, status.user_lowcmd, status.hand_sdk, ...status.hands, status.services]
     .flatMap(({ refused }) => Object.values(refused)).reduce((sum, count) => sum + count, 0);
 
 const CLASSES = { warning: "warn", error: "bad" }; // by level

@@ -28,6 +28,7 @@ import { Splitters } from "./splitters.js";
 import { recall, remember, setRobot } from "./store.js";
 import { makeTabs } from "./tabs.js";
 import { showTips } from "./tips.js";
+import { TouchSheet } from "./touch.js";
 import { TruthSheet } from "./truth.js";
 import { View } from "./view.js";
 
@@ -106,6 +107,7 @@ const eyes = new Eyes(link, say);
 const sight = new Sight(link, view, say);
 new DamageSheet(link);
 const truth = new TruthSheet(link);
+const touch = new TouchSheet(link);
 const sensors = new SensorTable((names) => plots.showFirst(names));
 const plots = new Plots({ list: byId("plot-list"), hold: byId("plots-hold"),
                           options: byId("signals"), seconds: byId("plots-seconds"),
@@ -133,6 +135,7 @@ async function setScene(description) {
   chords.setScene(scene);
   lowering.setScene(scene);
   truth.setScene(scene);
+  touch.setScene(scene);
   services.setServices((await link.json("/services")).services);
   rig.setScene(scene, (await link.json("/requests")).requests);
   table.setMotors(scene.motors);
@@ -341,4 +344,4 @@ showToken(link.token ? "ok" : "none");
 link.run();
 
 // For tests and for the curious at the browser's console.
-window.panel = { view, link, plots, sight };
+window.panel = { view, link, plots, sight, touch };

@@ -1,7 +1,8 @@
-#include "authority/arm_overlay.h"
+#include "authority/overlay.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "authority/command_gate.h"
 #include "robot/motor.h"
@@ -44,18 +45,12 @@ robot::MotorCommand Mix(const robot::MotorCommand& under, const robot::MotorComm
           .kd = sum.kd};
 }
 
-ArmOverlay::ArmOverlay(const robot::RobotSpec& spec)
-    : timeout_(spec.arm_sdk.timeout),
-      command_{.motors = std::vector<robot::MotorCommand>(spec.motors.size())} {
-  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
-    const auto& slots = spec.arm_sdk.slots;
-    if (std::find(slots.begin(), slots.end(), spec.motors[i].slot) != slots.end()) {
-      motors_.push_back({.index = i, .clamp = spec.motors[i].q_clamp});
-    }
-  }
-}
+Overlay::Overlay(std::vector<Motor> motors, std::size_t count, double timeout)
+    : motors_(std::move(motors)),
+      timeout_(timeout),
+      command_{.motors = std::vector<robot::MotorCommand>(count)} {}
 
-robot::Refusal ArmOverlay::Offer(const robot::RobotCommand& command, double t) {
+robot::Refusal Overlay::Offer(const robot::RobotCommand& command, double t) {
   if (command.motors.size() != command_.motors.size()) return robot::Refusal::kMotorCount;
   if (!std::isfinite(command.weight)) return robot::Refusal::kNotFinite;
   if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
@@ -65,16 +60,37 @@ robot::Refusal ArmOverlay::Offer(const robot::RobotCommand& command, double t) {
   return robot::Refusal::kNone;
 }
 
-double ArmOverlay::weight(double t) const {
-  return timeout_ > 0 && t - at_ > timeout_ ? 0 : weight_;
-}
+double Overlay::weight(double t) const { return timeout_ > 0 && t - at_ > timeout_ ? 0 : weight_; }
 
-void ArmOverlay::MixOver(double t, robot::RobotCommand* command) const {
+void Overlay::MixOver(double t, std::span<robot::MotorCommand> motors) const {
   const double weight = this->weight(t);
   if (weight <= 0) return;
-  for (const auto& [i, clamp] : motors_) {
-    command->motors[i] = Mix(command->motors[i], command_.motors[i], weight, clamp);
+  for (const auto& [i, clamp, lock_kd] : motors_) {
+    const robot::MotorCommand under = motors[i].enabled ? motors[i] : robot::Locked(lock_kd);
+    motors[i] = Mix(under, command_.motors[i], weight, clamp);
   }
+}
+
+Overlay OverArms(const robot::RobotSpec& spec) {
+  std::vector<Overlay::Motor> motors;
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    const auto& slots = spec.arm_sdk.slots;
+    if (std::ranges::find(slots, spec.motors[i].slot) == slots.end()) continue;
+    motors.push_back({.index = i, .clamp = spec.motors[i].q_clamp});
+  }
+  return {std::move(motors), spec.motors.size(), spec.arm_sdk.timeout};
+}
+
+Overlay OverHands(const robot::RobotSpec& spec) {
+  std::vector<Overlay::Motor> motors;
+  std::size_t count = 0;
+  for (const robot::HandSpec& hand : spec.hands) {
+    for (const robot::MotorSpec& motor : hand.motors) {
+      if (hand.sdk_slot >= 0) motors.push_back({.index = count, .lock_kd = motor.lock_kd});
+      ++count;
+    }
+  }
+  return {std::move(motors), count, spec.hand_sdk_timeout};
 }
 
 }  // namespace understudy::authority

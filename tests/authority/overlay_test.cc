@@ -1,4 +1,4 @@
-#include "authority/arm_overlay.h"
+#include "authority/overlay.h"
 
 #include <cstddef>
 #include <limits>
@@ -71,9 +71,9 @@ TEST_F(MixTest, AsksForTheAngleThatBothSidesAskFor) {
   EXPECT_FALSE(robot::AsksForAngle(damped));
 }
 
-class ArmOverlayTest : public ::testing::Test {
+class OverlayTest : public ::testing::Test {
  protected:
-  ArmOverlayTest() {
+  OverlayTest() {
     for (const int slot : {2, 5, 7}) spec_.motors.push_back({.joint = "", .slot = slot});
     spec_.arm_sdk.slots = {5, 7};
   }
@@ -84,41 +84,41 @@ class ArmOverlayTest : public ::testing::Test {
   robot::RobotSpec spec_;
 };
 
-TEST_F(ArmOverlayTest, ChangesNothingBeforeTheFirstCommand) {
-  const ArmOverlay arms(spec_);
+TEST_F(OverlayTest, ChangesNothingBeforeTheFirstCommand) {
+  const Overlay arms = OverArms(spec_);
   robot::RobotCommand command = Of(kHold);
-  arms.MixOver(0, &command);
+  arms.MixOver(0, command.motors);
   EXPECT_EQ(command.motors, Of(kHold).motors);
 }
 
-TEST_F(ArmOverlayTest, MovesItsOwnMotorsOnly) {
-  ArmOverlay arms(spec_);
+TEST_F(OverlayTest, MovesItsOwnMotorsOnly) {
+  Overlay arms = OverArms(spec_);
   arms.Offer(Of(kOther, 1), 0);
   robot::RobotCommand command = Of(kHold);
-  arms.MixOver(0, &command);
+  arms.MixOver(0, command.motors);
   EXPECT_EQ(command.motors[0], kHold);
   EXPECT_EQ(command.motors[1], kOther);
   EXPECT_EQ(command.motors[2], kOther);
 }
 
-TEST_F(ArmOverlayTest, CutsTheWeight) {
-  ArmOverlay arms(spec_);
+TEST_F(OverlayTest, CutsTheWeight) {
+  Overlay arms = OverArms(spec_);
   arms.Offer(Of(kOther, 7), 0);
   EXPECT_EQ(arms.weight(0), 1);
   arms.Offer(Of(kOther, -1), 0);
   EXPECT_EQ(arms.weight(0), 0);
 }
 
-TEST_F(ArmOverlayTest, RefusesACommandToAnotherNumberOfMotors) {
-  ArmOverlay arms(spec_);
+TEST_F(OverlayTest, RefusesACommandToAnotherNumberOfMotors) {
+  Overlay arms = OverArms(spec_);
   robot::RobotCommand command = Of(kOther, 1);
   command.motors.pop_back();
   EXPECT_EQ(arms.Offer(command, 0), robot::Refusal::kMotorCount);
   EXPECT_EQ(arms.weight(0), 0);
 }
 
-TEST_F(ArmOverlayTest, LeavesOutWhatWouldHarm) {
-  ArmOverlay arms(spec_);
+TEST_F(OverlayTest, LeavesOutWhatWouldHarm) {
+  Overlay arms = OverArms(spec_);
   arms.Offer(Of(kOther, 0.5), 0);
   robot::MotorCommand bad = kOther;
   bad.kp = -1;
@@ -127,15 +127,41 @@ TEST_F(ArmOverlayTest, LeavesOutWhatWouldHarm) {
   EXPECT_EQ(arms.weight(0), 0.5);
 }
 
-TEST_F(ArmOverlayTest, KeepsTheLastCommandUnlessItsRobotDropsIt) {
-  ArmOverlay forever(spec_);
+TEST_F(OverlayTest, KeepsTheLastCommandUnlessItsRobotDropsIt) {
+  Overlay forever = OverArms(spec_);
   forever.Offer(Of(kOther, 1), 0);
   EXPECT_EQ(forever.weight(1000), 1);
   spec_.arm_sdk.timeout = 0.5;
-  ArmOverlay fading(spec_);
+  Overlay fading = OverArms(spec_);
   fading.Offer(Of(kOther, 1), 0);
   EXPECT_EQ(fading.weight(0.5), 1);
   EXPECT_EQ(fading.weight(0.51), 0);
+}
+
+TEST_F(OverlayTest, OverHandsMovesThoseThatHandSdkReaches) {
+  spec_.hands = {{.name = "left", .motors = {{.joint = "a"}}},
+                 {.name = "right", .motors = {{.joint = "b"}, {.joint = "c"}}, .sdk_slot = 2}};
+  spec_.hand_sdk_timeout = 0.5;
+  Overlay hands = OverHands(spec_);
+  EXPECT_EQ(hands.Offer(Of(kOther, 1), 0), robot::Refusal::kNone);
+  robot::RobotCommand command = Of(kHold);
+  hands.MixOver(0.5, command.motors);
+  EXPECT_EQ(command.motors, (std::vector{kHold, kOther, kOther}));
+  EXPECT_EQ(hands.weight(0.51), 0);
+}
+
+TEST_F(OverlayTest, ALockedMotorBrakesWithWhatTheWeightLeaves) {
+  spec_.hands = {{.name = "claw", .motors = {{.joint = "a", .lock_kd = 0.2}}, .sdk_slot = 0}};
+  Overlay hands = OverHands(spec_);
+  std::vector<robot::MotorCommand> locked(1);
+  hands.MixOver(0, locked);
+  EXPECT_EQ(locked[0], robot::MotorCommand{}) << "no weight";
+  hands.Offer({.motors = {{.enabled = true, .tau = 1}}, .weight = 0.75}, 0);
+  hands.MixOver(0, locked);
+  EXPECT_TRUE(locked[0].enabled);
+  EXPECT_DOUBLE_EQ(locked[0].tau, 0.75);
+  EXPECT_DOUBLE_EQ(locked[0].kd, 0.05);
+  EXPECT_EQ(locked[0].dq, 0);
 }
 
 }  // namespace
