@@ -396,7 +396,9 @@ FittedModel LoadFittedModel(const PlacedRobot& robot, const Surroundings& around
   const mjModel& own = *loaded.front().model;
   PlacedRobot fitted = robot;
   fitted.spec = mjcf::FitNames(robot.spec, own, &notes->warnings);
+  const bool adds_site = fitted.spec.sites.size() > robot.spec.sites.size();
   NoteFeet(own, fitted.spec, notes);
+  if (adds_site) loaded.front() = LoadRobot(fitted, Looks::kLeftOut, nullptr);
   mjcf::ModelHandle model =
       Compose({fitted}, std::move(loaded), around, timestep, Looks::kLeftOut, notes);
   return {std::move(fitted.spec), std::move(model)};
