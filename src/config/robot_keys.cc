@@ -20,7 +20,8 @@ void DescribeBody(Archive& a, robot::BodySpec& b) {
 }
 
 void DescribeSite(Archive& a, robot::SiteSpec& s) {
-  a.Key(UNDERSTUDY_NVP(s.name), {"Site of the model"});
+  a.Key(UNDERSTUDY_NVP(s.name),
+        {"Site of the model; the base gets that of robot.imu.site where the model has none"});
   a.Key(UNDERSTUDY_NVP(s.pos), {"m", {-10, 10}, "Its place in its body's frame"});
 }
 

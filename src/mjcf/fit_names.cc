@@ -51,6 +51,13 @@ std::string OnlyImu(const mjModel& model, F is_there) {
   return found;
 }
 
+bool HasImu(const mjModel& model) {
+  for (int site = 0; site < static_cast<int>(model.nsite); ++site) {
+    if (SaysImu(Name(model, mjOBJ_SITE, site))) return true;
+  }
+  return false;
+}
+
 std::string OtherSpelling(const std::string& joint) {
   if (!joint.ends_with(kJoint)) return joint + std::string(kJoint);
   return joint.substr(0, joint.size() - kJoint.size());
@@ -90,12 +97,19 @@ void FitImu(const mjModel& model, robot::RobotSpec* spec, std::vector<std::strin
   if (!Has(model, mjOBJ_SITE, imu.site)) {
     std::string site = OnlyImu(model, [](int) { return true; });
     if (site.empty()) site = OnlyImu(model, [base](int body) { return body == base; });
-    if (site.empty()) return;
-    note("IMU site", imu.site, site);
-    imu.site = site;
+    if (site.empty()) {
+      if (HasImu(model) || base < 0) return;
+      notes->push_back("the model has no IMU site: the unit is at the origin of '" +
+                       spec->base_body + "'; robot.sites moves it");
+      spec->sites.push_back({.name = imu.site});  // Revise adds it
+    } else {
+      note("IMU site", imu.site, site);
+      imu.site = site;
+    }
   }
   if (imu.secondary_site.empty() || Has(model, mjOBJ_SITE, imu.secondary_site)) return;
-  const int first = model.site_bodyid[mj_name2id(&model, mjOBJ_SITE, imu.site.c_str())];
+  const int site = mj_name2id(&model, mjOBJ_SITE, imu.site.c_str());
+  const int first = site < 0 ? base : model.site_bodyid[site];
   const std::string other = OnlyImu(model, [first](int body) { return body != first; });
   if (other.empty()) {
     notes->push_back("the model has no IMU site '" + imu.secondary_site +

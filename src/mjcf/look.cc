@@ -1,8 +1,10 @@
 #include "mjcf/look.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -10,8 +12,11 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/files.h"
+#include "mjcf/dae.h"
 #include "mjcf/look_reader.h"
 #include "mjcf/looks.h"
+#include "mjcf/stl.h"
 #include "mjcf/urdf_elements.h"
 #include "mjcf/urdf_reader.h"
 
@@ -126,6 +131,62 @@ std::vector<path> ModelsBelow(const path& folder) {
   throw ModelError("look " + place.string() + ": " + why);
 }
 
+// An asset made of a part of a .dae, and the colour that the file gives it.
+struct DaeAsset {
+  std::string name;
+  std::optional<std::array<double, 4>> rgba;
+};
+using DaeAssets = std::map<std::string, std::vector<DaeAsset>>;  // by the mesh that is the .dae
+
+// Puts STL in place of meshes in .dae.
+DaeAssets ReadDaes(Look* look) {
+  DaeAssets assets;
+  std::vector<MjcfElement> meshes;
+  for (MjcfElement& mesh : look->meshes) {
+    const path file = mesh.Get("file");
+    if (LowerEnding(file) != ".dae") {
+      meshes.push_back(std::move(mesh));
+      continue;
+    }
+    if (look->made == nullptr) look->made = std::make_shared<TemporaryFolder>("look");
+    std::vector<DaeAsset>& parts = assets[mesh.Get("name")];
+    for (const DaePart& part : ReadDae(file)) {
+      for (const std::string& stl : Stls(part.corners)) {
+        parts.push_back({mesh.Get("name") + "_" + std::to_string(parts.size() + 1), part.rgba});
+        const path to = look->made->path() / (std::to_string(meshes.size()) + ".stl");
+        WriteFile(to, stl);
+        meshes.push_back(mesh);
+        meshes.back().Set("name", parts.back().name);
+        meshes.back().Set("file", to.string());
+      }
+    }
+  }
+  look->meshes = std::move(meshes);
+  return assets;
+}
+
+// Gives each geom of a .dae in a look one for each of its assets.
+Look WithoutDae(Look look) {
+  const DaeAssets assets = ReadDaes(&look);
+  for (LookOfBody& body : look.bodies) {
+    std::vector<MjcfElement> geoms;
+    for (MjcfElement& geom : body.geoms) {
+      const auto found = assets.find(geom.Get("mesh"));
+      if (found == assets.end()) {
+        geoms.push_back(std::move(geom));
+        continue;
+      }
+      for (const DaeAsset& asset : found->second) {
+        MjcfElement& own = geoms.emplace_back(geom);
+        own.Set("mesh", asset.name);
+        if (asset.rgba) own.Set("rgba", NumbersText(*asset.rgba));
+      }
+    }
+    body.geoms = std::move(geoms);
+  }
+  return look;
+}
+
 MjcfElement Dressed(const MjcfElement& element, const Look& look,
                     const std::set<const MjcfElement*>& seen) {
   MjcfElement dressed{element.name, element.attributes, {}, element.place};
@@ -177,7 +238,7 @@ Look FindLook(const std::filesystem::path& place, const MjcfElement& robot) {
     };
     if (!best || rank(candidate) < rank(*best)) best = std::move(candidate);
   }
-  if (best) return std::move(best->look);
+  if (best) return WithoutDae(std::move(best->look));
   FailLook(place, fault.empty()
                       ? "no file of MJCF or URDF there has a body of this robot, such as '" +
                             bodies.at.begin()->first + "'"

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@ using Eigen::Vector3d;
 using std::filesystem::path;
 
 constexpr char kGrey[] = "0.7 0.7 0.7 1";
+constexpr std::array<std::string_view, 4> kReadable = {".stl", ".obj", ".msh", ".dae"};
 constexpr std::array<const char*, 1> kGeom = {"geom"};
 constexpr std::array<const char*, 1> kMesh = {"mesh"};
 constexpr std::array<const char*, 1> kMaterial = {"material"};
@@ -157,9 +159,9 @@ class LookReader {
     if (!used_.contains(name)) {
       std::string lacks = WhatAssetLacks(mesh);
       const std::string ending = LowerEnding(mesh.Get("file"));
-      if (lacks.empty() && mesh.Find("file") != nullptr && ending != ".stl" && ending != ".obj" &&
-          ending != ".msh") {
-        lacks = mesh.Get("file") + ": expected STL, OBJ or MSH";
+      if (lacks.empty() && mesh.Find("file") != nullptr &&
+          std::ranges::find(kReadable, ending) == kReadable.end()) {
+        lacks = mesh.Get("file") + ": expected STL, OBJ, MSH or DAE";
       }
       if (!lacks.empty()) {
         if (lacks_.empty()) lacks_ = mesh.place.text() + ": " + lacks;

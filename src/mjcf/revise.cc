@@ -102,9 +102,13 @@ void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
     ReviseBody(spec.bodies[i], "robot.bodies." + std::to_string(i), root);
   }
   for (std::size_t i = 0; i < spec.sites.size(); ++i) {
-    const std::string key = "robot.sites." + std::to_string(i);
-    Require(root, "site", spec.sites[i].name, key)
-        .Set("pos", NumbersText({spec.sites[i].pos.data(), 3}));
+    const robot::SiteSpec& site = spec.sites[i];
+    MjcfElement* base = FindNamed(root, "body", spec.base_body);
+    if (site.name == spec.imu.site && base != nullptr && !FindNamed(root, "site", site.name)) {
+      base->children.push_back({"site", {{"name", site.name}}, {}, base->place});
+    }
+    Require(root, "site", site.name, "robot.sites." + std::to_string(i))
+        .Set("pos", NumbersText({site.pos.data(), 3}));
   }
   for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
     if (motor->armature == 0) continue;

@@ -8,7 +8,8 @@ namespace understudy::mjcf {
 
 // Sets the values of spec.bodies, spec.sites and spec.motors[].armature, and removes
 // spec.locked_joints, if the model has them, with their sensors and actuators. Values that are not
-// given keep those of the body's <inertial>.
+// given keep those of the body's <inertial>. A site that is the IMU's and that the model lacks is
+// added to the base.
 //
 // Throws ModelError with the key if the model has no such body or site, or if only some of mass,
 // com and inertia are given for a body whose file derives them from geoms.

@@ -74,6 +74,14 @@ constexpr Entry kEntries[] = {
      "differs by the order of the time step"},
 };
 
+// MuJoCo 2.2.2 reads one number too many where spaces follow the last one, as in some keyframes.
+void TrimEnds(MjcfElement* element) {
+  for (auto& [name, value] : element->attributes) {
+    value.erase(value.find_last_not_of(" \t\n\r") + 1);
+  }
+  for (MjcfElement& child : element->children) TrimEnds(&child);
+}
+
 // Removes or renames the attributes of the table. A setting that affects the robot's motion is
 // removed only if it has the value that is built into 2.2.2; otherwise it stays, so that MuJoCo
 // refuses it.
@@ -143,6 +151,7 @@ void SayAutolimits(MjcfElement* root, std::vector<Rewrite>* rewrites) {
 }  // namespace
 
 void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites) {
+  TrimEnds(root);
   Drop(root, rewrites);
   SayAutolimits(root, rewrites);
   // Elements must not be added or removed below, as the following points into the tree.

@@ -1,13 +1,19 @@
 #include "mjcf/stl.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 
 namespace understudy::mjcf {
+namespace {
+
+constexpr std::size_t kOfTriangle = 9;
+constexpr std::size_t kMostOfStl = kOfTriangle * 200'000;  // of a file that MuJoCo reads
+
+}  // namespace
 
 std::string Stl(std::span<const float> corners) {
-  constexpr std::size_t kOfTriangle = 9;
   std::string bytes(80, '\0');
   const auto add = [&](const void* from, std::size_t size) {
     bytes.append(static_cast<const char*>(from), size);
@@ -22,6 +28,16 @@ std::string Stl(std::span<const float> corners) {
     bytes.append(2, '\0');
   }
   return bytes;
+}
+
+std::vector<std::string> Stls(std::span<const float> corners) {
+  std::vector<std::string> solids;
+  while (!corners.empty()) {
+    const std::size_t some = std::min(corners.size(), kMostOfStl);
+    solids.push_back(Stl(corners.first(some)));
+    corners = corners.subspan(some);
+  }
+  return solids;
 }
 
 }  // namespace understudy::mjcf

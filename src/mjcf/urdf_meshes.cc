@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <span>
 #include <system_error>
 
 #include "base/errors.h"
@@ -18,7 +17,6 @@ using Eigen::Vector3d;
 using std::filesystem::path;
 
 constexpr char kPackage[] = "package://";
-constexpr std::size_t kMostOfStl = 9 * 200'000;  // numbers, of the triangles that MuJoCo reads
 
 std::string EndingOf(const path& file) {
   std::string ending = file.extension().string();
@@ -99,12 +97,9 @@ const std::vector<UrdfMeshes::Made>& UrdfMeshes::FilesOf(const path& file, bool 
     return made_[file] = std::move(made);
   }
   for (const DaePart& part : ReadDae(file)) {
-    std::span<const float> rest(part.corners);
-    while (!rest.empty()) {
-      const std::span<const float> some = rest.first(std::min(rest.size(), kMostOfStl));
+    for (std::string& stl : Stls(part.corners)) {
       made.push_back({FreeName(file.stem().string(), ".stl"), part.rgba});
-      files_.push_back({file, made.back().to, Stl(some)});
-      rest = rest.subspan(some.size());
+      files_.push_back({file, made.back().to, std::move(stl)});
     }
   }
   return made_[file] = std::move(made);

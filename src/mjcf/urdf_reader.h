@@ -38,7 +38,7 @@ struct UrdfRobot {
   std::vector<std::string> notes;  // what was left out or made up, one line each
 };
 
-// What becomes of meshes in .dae files: they are read, or only named, by who cannot use them.
+// What becomes of meshes in .dae files: they are read, or only named, for who reads some later.
 enum class DaeUse { kRead, kNamed };
 
 // Reads a URDF file. Bodies have the names and frames of links, joints those of joints, with axis,

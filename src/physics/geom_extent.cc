@@ -8,7 +8,11 @@
 namespace understudy::physics {
 
 bool Collides(const mjModel& model, int geom) {
-  return model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
+  if (model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0) return true;
+  for (int pair = 0; pair < static_cast<int>(model.npair); ++pair) {
+    if (model.pair_geom1[pair] == geom || model.pair_geom2[pair] == geom) return true;
+  }
+  return false;
 }
 
 double Reach(const mjModel& model, int geom, const mjtNum direction[3]) {

@@ -5,6 +5,7 @@
 
 namespace understudy::physics {
 
+// Whether it meets others by its bits or in a <pair>.
 bool Collides(const mjModel& model, int geom);
 
 // Returns how far [m] a geom extends from its origin along a unit vector in its frame. 0 for planes

@@ -358,18 +358,22 @@ mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots, const S
                                  double timestep, const std::vector<std::string>& looks) {
   const auto load = [&](Looks kept, const std::vector<std::string>& by) {
     std::vector<LoadedRobot> loaded;
+    std::vector<mjcf::Look> worn;  // until all is compiled: the files of some are temporary
     for (std::size_t i = 0; i < robots.size(); ++i) {
       loaded.push_back(LoadRobot(robots[i], kept, nullptr));
       mjcf::MjcfElement& tree = loaded.back().tree;
-      if (i < by.size() && !by[i].empty()) mjcf::PutOn(mjcf::FindLook(by[i], tree), &tree);
+      if (i < by.size() && !by[i].empty()) {
+        worn.push_back(mjcf::FindLook(by[i], tree));
+        mjcf::PutOn(worn.back(), &tree);
+      }
       mjcf::AddCameras(robots[i].spec, &tree);
     }
     return Compose(robots, std::move(loaded), around, timestep, kept, nullptr);
   };
-  // A file of looks may have gone since the start, or be one that MuJoCo cannot read.
+  // A file of looks may have gone since the start, or there is no room for those made of it.
   try {
     return load(Looks::kKept, looks);
-  } catch (const ModelError&) {
+  } catch (const SetupError&) {
   }
   try {
     return load(Looks::kKept, {});
@@ -379,9 +383,9 @@ mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots, const S
 }
 
 std::string CheckLook(const PlacedRobot& robot, const std::string& look) {
-  mjcf::Look found = mjcf::FindLook(look, ReadRobot(robot, Looks::kLeftOut, nullptr));
+  const mjcf::Look found = mjcf::FindLook(look, ReadRobot(robot, Looks::kLeftOut, nullptr));
   mjcf::MjcfElement asset = Element("asset", {});
-  asset.children = std::move(found.meshes);
+  asset.children = found.meshes;
   mjcf::MjcfElement meshes = Element("mujoco", {});
   meshes.children.push_back(std::move(asset));
   mjcf::CompileMjcf(meshes);
@@ -395,7 +399,9 @@ FittedModel LoadFittedModel(const PlacedRobot& robot, const Surroundings& around
   const mjModel& own = *loaded.front().model;
   PlacedRobot fitted = robot;
   fitted.spec = mjcf::FitNames(robot.spec, own, &notes->warnings);
+  const bool adds_site = fitted.spec.sites.size() > robot.spec.sites.size();
   NoteFeet(own, fitted.spec, notes);
+  if (adds_site) loaded.front() = LoadRobot(fitted, Looks::kLeftOut, nullptr);
   mjcf::ModelHandle model =
       Compose({fitted}, std::move(loaded), around, timestep, Looks::kLeftOut, notes);
   return {std::move(fitted.spec), std::move(model)};

@@ -221,7 +221,7 @@ config::Config Recording::ConfigInEffect() const {
 }
 
 std::unique_ptr<record::Recorder> Recording::Start(const Job& job) const {
-  record::OutputFile output(job.file, job.overwrite);
+  record::OutputFile output(job.file, job.overwrite, job.links);
   record::RecordingHead head = head_;
   head.about["speed"] = std::to_string(job.config.time.speed);
   head.config = config::PrintConfig(job.config, false);
@@ -269,6 +269,7 @@ void Recording::Begin(const emulator::RecordingOrder& order) {
     file_ = std::filesystem::absolute(asked.empty() ? std::string_view(own) : asked);
     job_ = {.file = file_,
             .overwrite = order.overwrite,
+            .links = record::Links::kRefused,  // its folder may be one that others write to
             .first_step = world_.step(),
             .config = ConfigInEffect()};
   } else {

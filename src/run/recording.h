@@ -73,6 +73,7 @@ class Recording final : public Attachment {
   struct Job {
     std::filesystem::path file{};
     bool overwrite = false;
+    record::Links links = record::Links::kFollowed;
     std::int64_t first_step = 0;
     config::Config config{};                       // in effect when it is started
     std::unique_ptr<record::Recorder> recorder{};  // that is to be finished, or was started

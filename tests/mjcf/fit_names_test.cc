@@ -118,6 +118,17 @@ TEST_F(FitNamesTest, LeavesTheImuAloneWhereItCannotTell) {
       "imu");
 }
 
+TEST_F(FitNamesTest, PutsTheImuAtTheOriginOfTheBaseWhereTheModelHasNone) {
+  std::string bare = With("<site name=\"trunk_imu\"/>", "");
+  bare = bare.replace(bare.find("IMU_hand"), 8, "hand");
+  const robot::RobotSpec spec = Fit(bare);
+  ASSERT_EQ(spec.sites.size(), 1u);
+  EXPECT_EQ(spec.sites[0].name, spec.imu.site);
+  EXPECT_EQ(spec.imu.secondary_site, "");
+  EXPECT_THAT(notes_, testing::Contains(HasSubstr("no IMU site: the unit is at the origin of "
+                                                  "'trunk'")));
+}
+
 TEST_F(FitNamesTest, LeavesOutAFewMotorsThatHaveNoJoint) {
   spec_.motors[2].joint = "head";
   spec_.parallel = {{.pitch = 0, .roll = 2}, {.pitch = 3, .roll = 4}};
@@ -149,6 +160,21 @@ TEST_F(FitNamesTest, FindsTheFeetAtTheLowestOfEachSide) {
   }
   EXPECT_THAT(feet[0], ElementsAre(testing::DoubleEq(0.3), testing::DoubleEq(0.305)));
   EXPECT_THAT(feet[1], ElementsAre(testing::DoubleEq(0.3)));
+}
+
+TEST_F(FitNamesTest, FindsAFootThatMeetsTheGroundByAPairAlone) {
+  std::string text = With("<geom size=\".01\"/></body></body></body>",
+                          "<geom name='sole' size='.01' contype='0' conaffinity='0'/>"
+                          "</body></body></body>");
+  text.replace(text.find("</worldbody>"), 12,
+               "<geom name='floor' type='plane' size='1 1 1'/></worldbody>"
+               "<contact><pair geom1='sole' geom2='floor'/></contact>");
+  const robot::RobotSpec spec = Fit(text);
+  const DataHandle data(mj_makeData(model_.get()));
+  mj_kinematics(model_.get(), data.get());
+  const std::vector<int> foot_of_geom = physics::FindFeet(*model_, *data, spec);
+  const int sole = mj_name2id(model_.get(), mjOBJ_GEOM, "sole");
+  EXPECT_EQ(foot_of_geom[static_cast<std::size_t>(sole)], 1);
 }
 
 TEST_F(FitNamesTest, TakesTheGeomsThatAFootNames) {

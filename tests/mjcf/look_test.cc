@@ -148,6 +148,58 @@ TEST_F(LookTest, ReadsUrdf) {
   EXPECT_EQ(Dressed(look)->nmesh, 1);
 }
 
+// Two tetrahedra of an edge of 1 m in an own file of COLLADA: red, and without a colour.
+constexpr char kTwoColours[] =
+    R"(<COLLADA><library_effects><effect id="e"><profile_COMMON><technique><phong><diffuse>
+  <color>1 0 0 1</color></diffuse></phong></technique></profile_COMMON></effect></library_effects>
+  <library_materials><material id="red"><instance_effect url="#e"/></material></library_materials>
+  <library_geometries><geometry id="g"><mesh>
+  <source id="p"><float_array>0 0 0 1 0 0 0 1 0 0 0 1</float_array>
+    <technique_common><accessor stride="3"/></technique_common></source>
+  <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+  <triangles material="m" count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+  <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+  </mesh></geometry></library_geometries>
+  <library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"><bind_material><technique_common>
+  <instance_material symbol="m" target="#red"/></technique_common></bind_material></instance_geometry></node>
+  </visual_scene></library_visual_scenes></COLLADA>)";
+constexpr char kUrdfOfDae[] = R"(<robot name="bot"><link name="trunk"><visual><geometry>
+  <mesh filename="meshes/shell.dae" scale="2 2 2"/></geometry><material name="b"><color rgba="0 0 1 1"/></material>
+  </visual></link></robot>)";
+
+TEST_F(LookTest, DrawsEachColourOfADaeByItself) {
+  folder_.Write("bot/meshes/shell.dae", kTwoColours);
+  const Look look = FindLook(folder_.Write("bot/bot.urdf", kUrdfOfDae), robot_);
+  ASSERT_EQ(look.bodies.size(), 1u);
+  const std::vector<MjcfElement>& geoms = look.bodies[0].geoms;
+  ASSERT_EQ(geoms.size(), 2u);
+  EXPECT_EQ(geoms[0].Get("rgba"), "1 0 0 1") << "the file's";
+  EXPECT_EQ(geoms[1].Get("rgba"), "0 0 1 1") << "the URDF's, where the file has none";
+  const ModelHandle model = Dressed(look);
+  ASSERT_EQ(model->nmesh, 2);
+  EXPECT_EQ(model->mesh_facenum[0], 4);
+  EXPECT_GT(model->geom_rbound[1], 2) << "scaled; else it is 1.2";
+}
+
+TEST_F(LookTest, LeavesNoFileOfADaeBehind) {
+  folder_.Write("bot/meshes/shell.dae", kTwoColours);
+  std::filesystem::path file;
+  {
+    const Look look = FindLook(folder_.Write("bot/bot.urdf", kUrdfOfDae), robot_);
+    file = look.meshes.at(0).Get("file");
+    EXPECT_TRUE(std::filesystem::exists(file));
+  }
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST_F(LookTest, NamesADaeThatCannotBeRead) {
+  folder_.Write("bot/meshes/shell.dae", "<COLLADA/>");
+  const auto file = folder_.Write("bot/bot.urdf", kUrdfOfDae);
+  EXPECT_THAT(
+      [&] { FindLook(file, robot_); },
+      ThrowsMessage<ModelError>(AllOf(HasSubstr("shell.dae:1"), HasSubstr("visual_scene"))));
+}
+
 TEST_F(LookTest, TakesOfAFolderTheModelThatDrawsMostOfTheRobot) {
   folder_.Write("bot/a_part.xml", Vendor(kShell));
   const auto whole = folder_.Write("bot/b_whole.xml", Vendor(kShell, kShin));

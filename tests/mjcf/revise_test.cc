@@ -122,6 +122,18 @@ TEST_F(ReviseTest, MovesASite) {
   EXPECT_THAT(Three(Revised()->site_pos), ElementsAre(0, 0, 0.2));
 }
 
+TEST_F(ReviseTest, AddsTheImuSiteThatAModelLacksToTheBase) {
+  spec_.base_body = "shin";
+  spec_.imu.site = "unit";
+  spec_.sites = {{.name = "unit", .pos = {0, 0, 0.2}}};
+  const ModelHandle model = Revised();
+  const int site = mj_name2id(model.get(), mjOBJ_SITE, "unit");
+  ASSERT_GE(site, 0);
+  EXPECT_EQ(model->site_bodyid[site], mj_name2id(model.get(), mjOBJ_BODY, "shin"));
+  EXPECT_THAT(Three(model->site_pos + 3 * static_cast<std::ptrdiff_t>(site)),
+              ElementsAre(0, 0, 0.2));
+}
+
 TEST_F(ReviseTest, GivesAMotorsJointItsArmature) {
   robot::MotorSpec motor;
   motor.joint = "knee";

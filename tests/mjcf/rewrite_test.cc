@@ -54,6 +54,16 @@ TEST_F(RewrittenLegTest, LimitsTheMotorByItsJointsOwnRange) {
   EXPECT_THAT(ForceRange(0), ElementsAre(-8, 9));
 }
 
+TEST_F(RewrittenLegTest, ReadsAKeyframeWhoseNumbersEndInSpaces) {
+  const std::size_t size = static_cast<std::size_t>(model_->nq);
+  std::string zeros = "\n";
+  for (std::size_t i = 0; i < size; ++i) zeros += "0 ";
+  MjcfElement keyframe{"keyframe", {}, {{"key", {{"qpos", zeros + "\n"}}, {}, {}}}, {}};
+  root_.children.push_back(keyframe);
+  RewriteForMujoco2(&root_, &rewrites_);
+  EXPECT_EQ(CompileMjcf(root_)->nkey, 1);
+}
+
 TEST_F(RewrittenLegTest, DividesAnInheritedRangeByTheGearOfTheMotorsClass) {
   EXPECT_THAT(ForceRange(1), ElementsAre(-7.5, 2.5));  // -10..30 over -4
 }

@@ -94,6 +94,18 @@ std::filesystem::path WriteLook(const test::TemporaryFolder& folder, const std::
 constexpr char kTetrahedron[] =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
+TEST_F(WorldModelTest, GivesAnotherModelTheImuSiteThatItLacks) {
+  std::string bare = Robot();
+  bare.replace(bare.find(R"(<site name="imu"/>)"), 18, "");
+  UseRobot(bare);
+  LoadNotes notes;
+  const FittedModel fitted = LoadFitted(&notes);
+  EXPECT_GE(mj_name2id(fitted.model.get(), mjOBJ_SITE, "imu"), 0);
+  EXPECT_THAT(notes.warnings, testing::Contains(HasSubstr("no IMU site")));
+  EXPECT_EQ(LoadSightModel({{fitted.spec, robot_}}, scene_, 0.002)->nsite, 1);
+  EXPECT_THAT(Refusal(), HasSubstr("no IMU site 'imu'")) << "of a robot's own file";
+}
+
 TEST_F(WorldModelTest, DrawsARobotByAnotherLookAndMovesItAsBefore) {
   UseRobot(Robot(kDecal));
   const std::string look = WriteLook(folder_, kTetrahedron);

@@ -34,6 +34,16 @@ TEST_F(OutputFileTest, ReplacesAFileWhenAsked) {
   EXPECT_EQ(file.size(), 3U);
 }
 
+TEST_F(OutputFileTest, WritesThroughALinkOnlyIfThoseAreFollowed) {
+  const auto precious = folder_.Write("precious.txt", "precious");
+  std::filesystem::create_symlink(precious, File());
+  EXPECT_THAT([&] { OutputFile(File(), true, Links::kRefused); },
+              ThrowsMessage<RecordError>(HasSubstr("is a link; name the file itself")));
+  EXPECT_EQ(FileText(precious), "precious");
+  OutputFile(File(), true).Write(AsBytes("new"));
+  EXPECT_EQ(FileText(precious), "new");
+}
+
 TEST_F(OutputFileTest, DoesNotReplaceWhatIsBeingWritten) {
   OutputFile first(File(), false);
   first.Write(AsBytes("precious"));

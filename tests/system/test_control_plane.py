@@ -68,6 +68,28 @@ def test_metrics_are_what_prometheus_reads(play):
     eventually(lambda: f"understudy_steps_total {steps}\n" not in ask(url, "/metrics")[1])
 
 
+def test_a_recording_over_the_network_goes_into_a_plain_file_of_the_starts_folder(play, tmp_path, monkeypatch):
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    url = url_of(play("go2"))
+    token = url.split("token=")[1]
+
+    def start(file):
+        return ask(url, "/record/start", token=token, body={"file": file, "overwrite": True})
+
+    precious = tmp_path / "precious.mcap"
+    precious.write_text("mine")
+    pathlib.Path("link.mcap").symlink_to(precious)
+    for file, status, why in ((str(precious), 403, "without a folder"), ("../precious.mcap", 403, "without a folder"),
+                              ("link.mcap", 409, "is a link")):
+        assert start(file)[0] == status, file
+        assert why in start(file)[1]
+    assert precious.read_text() == "mine"
+    assert start("walk.mcap")[0] == 200
+    assert ask(url, "/record/stop", token=token, body={})[0] == 200
+    assert pathlib.Path("walk.mcap").stat().st_size > 0
+
+
 def test_no_panel_serves_nothing_on_tcp(play, understudy):
     robot = play("go2", "--no-panel")
     assert "panel: http" not in robot.said()

@@ -2,6 +2,7 @@
 
 import json
 import os
+import pathlib
 import signal
 import struct
 import subprocess
@@ -92,6 +93,22 @@ def test_a_robot_is_drawn_by_another_copy_of_its_meshes(play, understudy, tmp_pa
     said = f"drawn by the meshes of {tmp_path}/copy/dog.xml, 1 bodies"
     assert any(said in line["message"] for line in robot.log())
     magenta = [p for p in pixels_of(picture) if p[0] > 2 * p[1] and p[2] > 2 * p[1]]
+    assert len(magenta) > 50
+
+
+def test_a_robot_is_drawn_by_meshes_of_collada_in_their_colours(play, understudy, tmp_path):
+    dae = pathlib.Path(__file__).parents[1] / "fuzz/corpus/dae/two_colours"  # flat
+    (tmp_path / "flat.dae").write_text(dae.read_text().replace("<color>1 0.5 0 0.2<", "<color>1 0 1 1<"))
+    (tmp_path / "dog.urdf").write_text(
+        '<robot name="dog"><link name="base_link"><visual><origin xyz="0.5 -0.5 -0.8"/><geometry>'
+        '<mesh filename="flat.dae"/></geometry></visual></link></robot>')
+    robot = play("go2", "--start", "hanging", "--look", tmp_path / "dog.urdf")
+    picture = tmp_path / "look.png"
+    done = understudy("picture", picture, "--name", robot.name, "--size", "160x120", "--elevation", -60)
+
+    assert done.returncode == 0, done.stderr
+    assert any(f"{tmp_path}/dog.urdf, 1 bodies" in line["message"] for line in robot.log())
+    magenta = [p for p in pixels_of(picture) if p[0] > 1.3 * p[1] and p[2] > 1.3 * p[1]]
     assert len(magenta) > 50
 
 

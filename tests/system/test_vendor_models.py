@@ -1,7 +1,7 @@
 """The vendor's own models: taken as vendor_models.py has it, or refused with the reason.
 
-They are not part of this repository. Clone unitree_ros and unitree_mujoco into a folder and name that folder in
-UNDERSTUDY_VENDOR_MODELS; without it, only the table itself is tested, and the rest is reported as skipped.
+They are not part of this repository. Clone unitree_ros, unitree_mujoco and mujoco_menagerie into a folder and name that
+folder in UNDERSTUDY_VENDOR_MODELS; without it, only the table itself is tested, and the rest is reported as skipped.
 """
 
 import os
@@ -13,7 +13,7 @@ import vendor_models as vendor
 FOLDER = os.environ.get("UNDERSTUDY_VENDOR_MODELS")  # made absolute, since each test has its own folder
 FOLDER = None if FOLDER is None else pathlib.Path(FOLDER).absolute()
 needs_models = pytest.mark.skipif(FOLDER is None, reason="UNDERSTUDY_VENDOR_MODELS names no folder with clones of "
-                                                         "unitree_ros and unitree_mujoco")
+                                                         "unitree_ros, unitree_mujoco and mujoco_menagerie")
 SCENARIO = """
 scenario: stands
 robot: {robot}

@@ -1,7 +1,7 @@
 """The vendor's own models that describe a robot of a kind that is here, and what becomes of each.
 
-Paths are of unitree_ros (d6f13aa) and unitree_mujoco (c598f10). `like` is the robot of which it is a model; `ends` is
-what is proven of it. A part of a robot (hands alone) and scenes without one are not listed.
+Paths are of unitree_ros (d6f13aa), unitree_mujoco (c598f10) and mujoco_menagerie (75df466, kevinzakka's fork). `like`
+is the robot of which it is a model; `ends` is what is proven of it. A part of a robot (hands alone) and scenes without one are not listed.
 """
 
 STANDS, HANGS, FALLS = "stands", "hangs", "falls"
@@ -60,7 +60,7 @@ URDFS = [
 ]
 
 # file, robot, ends: with `--model` and from standing; or what is said where the run ends with 4.
-ROS, MUJOCO = "unitree_ros/robots", "unitree_mujoco/unitree_robots"
+ROS, MUJOCO, MENAGERIE = "unitree_ros/robots", "unitree_mujoco/unitree_robots", "mujoco_menagerie"
 MJCFS = [
     (f"{ROS}/a2_description/a2.xml", "a2", STANDS),
     (f"{ROS}/as2_description/as2.xml", "a2", STANDS),
@@ -104,4 +104,22 @@ MJCFS = [
     (f"{MUJOCO}/h1_2/scene.xml", "h1_2", STANDS),
     (f"{MUJOCO}/r1/R1_C++.xml", "r1", STANDS),
     (f"{MUJOCO}/r1/scene.xml", "r1", STANDS),
+    (f"{MENAGERIE}/unitree_a1/a1.xml", "go2", STANDS),
+    (f"{MENAGERIE}/unitree_a1/scene.xml", "go2", STANDS),
+    (f"{MENAGERIE}/unitree_g1/g1.xml", "g1", STANDS),
+    (f"{MENAGERIE}/unitree_g1/g1_mjx.xml", "g1", "foot 'left_foot' has no geoms"),  # they are in pairs of its scene
+    (f"{MENAGERIE}/unitree_g1/g1_with_hands.xml", "g1", STANDS),
+    (f"{MENAGERIE}/unitree_g1/scene.xml", "g1", STANDS),
+    (f"{MENAGERIE}/unitree_g1/scene_mjx.xml", "g1", STANDS),
+    (f"{MENAGERIE}/unitree_g1/scene_with_hands.xml", "g1", STANDS),
+    (f"{MENAGERIE}/unitree_go1/go1.xml", "go2", STANDS),
+    (f"{MENAGERIE}/unitree_go1/scene.xml", "go2", STANDS),
+    (f"{MENAGERIE}/unitree_go2/go2.xml", "go2", STANDS),
+    (f"{MENAGERIE}/unitree_go2/go2_mjx.xml", "go2", STANDS),
+    (f"{MENAGERIE}/unitree_go2/scene.xml", "go2", STANDS),
+    (f"{MENAGERIE}/unitree_go2/scene_mjx.xml", "go2", STANDS),
+    (f"{MENAGERIE}/unitree_h1/h1.xml", "h1", STANDS),
+    (f"{MENAGERIE}/unitree_h1/scene.xml", "h1", STANDS),
+    (f"{MENAGERIE}/unitree_z1/z1.xml", "go2", "no base body 'base_link'"),
+    (f"{MENAGERIE}/unitree_z1/z1_gripper.xml", "go2", "no base body 'base_link'"),
 ]
