@@ -80,7 +80,7 @@ class DaeFile {
     Collect(*root_);
   }
 
-  std::vector<DaePart> Read() {
+  std::vector<MeshPart> Read() {
     const XMLElement* scene = Down(root_, {"scene", "instance_visual_scene"});
     scene = scene == nullptr ? Down(root_, {"library_visual_scenes", "visual_scene"})
                              : &Named(*scene, Attribute(*scene, "url"));
@@ -226,11 +226,11 @@ class DaeFile {
     return std::nullopt;
   }
 
-  DaePart& PartOf(const std::optional<Rgba>& rgba) {
-    const auto found = std::ranges::find(parts_, rgba, &DaePart::rgba);
+  MeshPart& PartOf(const std::optional<Rgba>& rgba) {
+    const auto found = std::ranges::find(parts_, rgba, &MeshPart::rgba);
     if (found != parts_.end()) return *found;
     if (parts_.size() == kMostParts) return parts_.back();
-    return parts_.emplace_back(DaePart{rgba, {}});
+    return parts_.emplace_back(MeshPart{rgba, {}});
   }
 
   // The numbers of a source's array, and how many of them make a point.
@@ -255,7 +255,7 @@ class DaeFile {
     return {Numbers<double>(*array), stride};
   }
 
-  void AddFaces(const XMLElement& faces, const Affine3d& place, DaePart* part) {
+  void AddFaces(const XMLElement& faces, const Affine3d& place, MeshPart* part) {
     std::size_t offset = 0, inputs = 1;
     const XMLElement* vertex = nullptr;
     ForEach(faces, "input", [&](const XMLElement& input) {
@@ -303,7 +303,7 @@ class DaeFile {
 
   // As a fan, which is right for convex ones.
   void AddPolygon(const XMLElement& faces, std::span<const Vector3d> corners, bool mirrored,
-                  DaePart* part) {
+                  MeshPart* part) {
     for (std::size_t i = 2; i < corners.size(); ++i) {
       corners_ += 9;
       if (corners_ > kMostCorners) Fail(faces, "more than 4 million triangles");
@@ -318,7 +318,7 @@ class DaeFile {
   tinyxml2::XMLDocument document_;
   const XMLElement* root_ = nullptr;
   std::map<std::string_view, const XMLElement*> by_id_;
-  std::vector<DaePart> parts_;
+  std::vector<MeshPart> parts_;
   std::size_t corners_ = 0;
   std::size_t nodes_ = 0;
   std::size_t numbers_ = 0;
@@ -326,6 +326,6 @@ class DaeFile {
 
 }  // namespace
 
-std::vector<DaePart> ReadDae(const std::filesystem::path& file) { return DaeFile(file).Read(); }
+std::vector<MeshPart> ReadDae(const std::filesystem::path& file) { return DaeFile(file).Read(); }
 
 }  // namespace understudy::mjcf

@@ -150,7 +150,7 @@ DaeAssets ReadDaes(Look* look) {
     }
     if (look->made == nullptr) look->made = std::make_shared<TemporaryFolder>("look");
     std::vector<DaeAsset>& parts = assets[mesh.Get("name")];
-    for (const DaePart& part : ReadDae(file)) {
+    for (const MeshPart& part : ReadDae(file)) {
       for (const std::string& stl : Stls(part.corners)) {
         parts.push_back({mesh.Get("name") + "_" + std::to_string(parts.size() + 1), part.rgba});
         const path to = look->made->path() / (std::to_string(meshes.size()) + ".stl");

@@ -96,7 +96,7 @@ const std::vector<UrdfMeshes::Made>& UrdfMeshes::FilesOf(const path& file, bool 
     files_.push_back({file, made.back().to, ""});
     return made_[file] = std::move(made);
   }
-  for (const DaePart& part : ReadDae(file)) {
+  for (const MeshPart& part : ReadDae(file)) {
     for (std::string& stl : Stls(part.corners)) {
       made.push_back({FreeName(file.stem().string(), ".stl"), part.rgba});
       files_.push_back({file, made.back().to, std::move(stl)});

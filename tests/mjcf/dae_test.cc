@@ -42,7 +42,7 @@ class DaeTest : public testing::Test {
     std::string text = kDae;
     return text.replace(text.find(old), old.size(), now);
   }
-  std::vector<DaePart> Read(const std::string& text = kDae) {
+  std::vector<MeshPart> Read(const std::string& text = kDae) {
     return ReadDae(folder_.Write("a.dae", text));
   }
   std::string FaultOf(const std::string& text) {
@@ -62,7 +62,7 @@ testing::Matcher<std::vector<float>> Corners(const std::vector<float>& expected)
 }
 
 TEST_F(DaeTest, PutsTrianglesWhereNodesHaveThemInMetres) {
-  const std::vector<DaePart> parts = Read();
+  const std::vector<MeshPart> parts = Read();
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_THAT(parts[0].corners, Corners({0, 0, 1, 0, 1, 1, -1, 1, 1}));
 }
@@ -73,7 +73,7 @@ TEST_F(DaeTest, MakesAFanOfAPolygon) {
 }
 
 TEST_F(DaeTest, GivesEachColourAPart) {
-  const std::vector<DaePart> parts = Read();
+  const std::vector<MeshPart> parts = Read();
   EXPECT_EQ(parts[0].rgba, (std::array<double, 4>{1, 0.5, 0, 1}));
   EXPECT_EQ(parts[1].rgba, std::nullopt);
 }
