@@ -12,9 +12,9 @@
 namespace understudy::mjcf {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 256U << 20U;
-constexpr std::size_t kMostTriangles = 4'000'000;
-constexpr double kFarthest = 1e6;  // of the file's unit
+constexpr std::uintmax_t kMostMeshBytes = 256U << 20U;
+constexpr std::size_t kMostMeshTriangles = 4'000'000;
+constexpr double kFarthestCorner = 1e6;  // of the file's unit
 
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
@@ -22,11 +22,12 @@ bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' ||
 
 void MeshBuilder::Add(const std::optional<Rgba>& rgba, const MeshPoint& a, const MeshPoint& b,
                       const MeshPoint& c) {
-  if (++triangles_ > kMostTriangles) throw ModelError(file_ + ": more than 4 million triangles");
+  if (++triangles_ > kMostMeshTriangles)
+    throw ModelError(file_ + ": more than 4 million triangles");
   std::vector<float>& corners = parts_[rgba];
   for (const MeshPoint* const point : {&a, &b, &c}) {
     for (const double x : *point) {
-      if (!(std::abs(x) <= kFarthest)) {
+      if (!(std::abs(x) <= kFarthestCorner)) {
         throw ModelError(file_ + ": a corner at " + Printed("%g", x) +
                          "; expected none beyond 1e6 from the origin");
       }
@@ -46,7 +47,8 @@ std::string MeshBytes(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) throw ModelError(file.string() + ": " + error.message());
-  if (size > kMostBytes) throw ModelError(file.string() + ": expected a file of at most 256 MiB");
+  if (size > kMostMeshBytes)
+    throw ModelError(file.string() + ": expected a file of at most 256 MiB");
   return FileText(file);
 }
 

@@ -14,7 +14,7 @@ namespace {
 enum class Form { kText, kLittle, kBig };
 
 // A kind of number.
-struct Kind {
+struct NumberKind {
   std::string_view name, other_name;
   std::size_t size;
   double (*value)(const char* bytes);  // in the machine's order
@@ -27,23 +27,23 @@ double ValueOf(const char* bytes) {
   return static_cast<double>(value);
 }
 
-constexpr Kind kKinds[] = {
+constexpr NumberKind kNumberKinds[] = {
     {"char", "int8", 1, ValueOf<std::int8_t>},    {"uchar", "uint8", 1, ValueOf<std::uint8_t>},
     {"short", "int16", 2, ValueOf<std::int16_t>}, {"ushort", "uint16", 2, ValueOf<std::uint16_t>},
     {"int", "int32", 4, ValueOf<std::int32_t>},   {"uint", "uint32", 4, ValueOf<std::uint32_t>},
     {"float", "float32", 4, ValueOf<float>},      {"double", "float64", 8, ValueOf<double>},
 };
 
-struct Property {
+struct PlyProperty {
   std::string name;
-  const Kind* kind = nullptr;
-  const Kind* count = nullptr;  // of a list; null: one number
+  const NumberKind* kind = nullptr;
+  const NumberKind* count = nullptr;  // of a list; null: one number
 };
 
-struct Element {
+struct PlyElement {
   std::string name;
   long count = 0;
-  std::vector<Property> properties;
+  std::vector<PlyProperty> properties;
 };
 
 class PlyFile {
@@ -54,7 +54,7 @@ class PlyFile {
   std::vector<MeshPart> Read() {
     ReadHeader();
     rest_ = text_.rest();
-    for (const Element& element : elements_) ReadElement(element);
+    for (const PlyElement& element : elements_) ReadElement(element);
     if (!has_faces_) {
       throw ModelError(file_ +
                        ": has points and no faces; make a mesh of them first, as with MeshLab or "
@@ -69,10 +69,11 @@ class PlyFile {
     Rgba rgba{0, 0, 0, 1};
   };
 
-  const Kind& KindOf(std::string_view name) const {
-    const auto* const found = std::ranges::find_if(
-        kKinds, [&](const Kind& kind) { return kind.name == name || kind.other_name == name; });
-    if (found == std::end(kKinds)) {
+  const NumberKind& NumberKindOf(std::string_view name) const {
+    const auto* const found = std::ranges::find_if(kNumberKinds, [&](const NumberKind& kind) {
+      return kind.name == name || kind.other_name == name;
+    });
+    if (found == std::end(kNumberKinds)) {
       text_.Fail("expected a kind of number, not '" + Printable(std::string(name)) + "'");
     }
     return *found;
@@ -85,7 +86,7 @@ class PlyFile {
       if (word == "end_header") return;
       if (word == "format") form_ = FormOf(text_.Word());
       if (word == "element") {
-        Element& element = elements_.emplace_back();
+        PlyElement& element = elements_.emplace_back();
         element.name = text_.Word();
         element.count = text_.WholeOf(text_.Word());
       }
@@ -107,22 +108,22 @@ class PlyFile {
 
   void AddProperty() {
     if (elements_.empty()) text_.Fail("a property before the first element");
-    Property property;
+    PlyProperty property;
     std::string_view word = text_.Word();
     if (word == "list") {
-      property.count = &KindOf(text_.Word());
+      property.count = &NumberKindOf(text_.Word());
       word = text_.Word();
     }
-    property.kind = &KindOf(word);
+    property.kind = &NumberKindOf(word);
     property.name = text_.Word();
     elements_.back().properties.push_back(std::move(property));
   }
 
-  void ReadElement(const Element& element) {
+  void ReadElement(const PlyElement& element) {
     if (element.properties.empty()) return;
     for (long i = 0; i < element.count; ++i) {
       if (element.name == "vertex") points_.emplace_back();
-      for (const Property& property : element.properties) {
+      for (const PlyProperty& property : element.properties) {
         if (property.count != nullptr) {
           ReadList(element, property);
         } else if (const double value = Number(*property.kind); element.name == "vertex") {
@@ -133,7 +134,7 @@ class PlyFile {
   }
 
   // Returns the next number of the data; each takes a byte at least, so that counts end.
-  double Number(const Kind& kind) {
+  double Number(const NumberKind& kind) {
     if (form_ == Form::kText) {
       const std::string_view word = text_.AnyWord();
       return text_.NumberOf(word);
@@ -147,7 +148,7 @@ class PlyFile {
     return kind.value(bytes);
   }
 
-  void ReadList(const Element& element, const Property& property) {
+  void ReadList(const PlyElement& element, const PlyProperty& property) {
     const double count = Number(*property.count);
     std::vector<std::size_t> corners;
     const bool of_face = element.name == "face" &&
@@ -169,7 +170,7 @@ class PlyFile {
     }
   }
 
-  void SetPoint(const Property& property, double value, Point* point) {
+  void SetPoint(const PlyProperty& property, double value, Point* point) {
     constexpr std::string_view kAxes[] = {"x", "y", "z"}, kColours[] = {"red", "green", "blue"};
     for (std::size_t i = 0; i < 3; ++i) {
       if (property.name == kAxes[i]) point->at[i] = value;
@@ -184,7 +185,7 @@ class PlyFile {
   MeshText text_;
   MeshBuilder parts_;
   Form form_ = Form::kText;
-  std::vector<Element> elements_;
+  std::vector<PlyElement> elements_;
   std::vector<Point> points_;
   std::string_view rest_;  // of the data, where it is binary
   bool painted_ = false, has_faces_ = false;

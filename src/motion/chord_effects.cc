@@ -39,8 +39,9 @@ std::string NameOfStance(const robot::HumanoidMotionSpec& spec, int id) {
 }
 
 std::vector<int> StancesOf(const robot::HumanoidMotionSpec& spec) {
-  std::vector<int> ids = {robot::kZeroTorqueId, robot::kDampingId,          spec.lock_stand,  spec.squat,
-                          spec.sit,      spec.balanced_squat, spec.arms_balance};
+  std::vector<int> ids = {robot::kZeroTorqueId, robot::kDampingId, spec.lock_stand,
+                          spec.squat,           spec.sit,          spec.balanced_squat,
+                          spec.arms_balance};
   ids.insert(ids.end(), spec.balance.begin(), spec.balance.end());
   ids.insert(ids.end(), spec.walk.begin(), spec.walk.end());
   std::vector<int> once;

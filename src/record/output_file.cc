@@ -19,8 +19,7 @@ OutputFile::OutputFile(std::filesystem::path path, bool overwrite, Links links)
     : path_(std::move(path)) {
   const int flags = (overwrite ? 0 : O_EXCL) | (links == Links::kRefused ? O_NOFOLLOW : 0);
   // O_NONBLOCK: opening a pipe must not wait for its reader; without one the error is ENXIO.
-  fd_ = UniqueFd(
-      ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | flags, 0666));
+  fd_ = UniqueFd(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | flags, 0666));
   struct stat about {};
   if (fd_.valid() ? ::fstat(fd_.get(), &about) == 0 && S_ISFIFO(about.st_mode) : errno == ENXIO) {
     throw RecordError(path_.string() + ": is not a file");

@@ -106,7 +106,8 @@ authority::MotionVerdict HumanoidMotion::SetFsm(int id) {
   if (verdict != authority::MotionVerdict::kTaken) return verdict;
   if (id == id_ && id != ids_.balanced_squat) return verdict;
   // States that bear load.
-  if (id == robot::kZeroTorqueId && id_ != robot::kDampingId) return authority::MotionVerdict::kIgnored;
+  if (id == robot::kZeroTorqueId && id_ != robot::kDampingId)
+    return authority::MotionVerdict::kIgnored;
   if (id == robot::kZeroTorqueId || id == robot::kDampingId) {
     Slacken(id);
   } else if (id == ids_.lock_stand) {
