@@ -47,12 +47,22 @@ constexpr Effort kBrief = {
     .clock = {.seconds = 2, .speeds = 1, .pairs = 1, .flooded = 1, .rehearsals = 2},
     .batch = {.robots = 4, .rounds = 1}};
 
-// Of the stepping; the other figures are of these robots in their own start.
+// Of the stepping; the other figures are of these robots in their own start, without hands.
 constexpr Doing kDoings[] = {
     {.robot = "go2", .start = "standing"},
     {.robot = "go2", .start = "standing", .ahead = 0.5, .wanted = 0.85},
     {.robot = "g1", .start = "hanging"},
+    {.robot = "g1", .start = "hanging", .hands = "inspire", .wanted = 0.85},
 };
+
+// Without a reader, then with one.
+std::vector<Figure> MeasureBoth(const std::string& understudy, const Doing& doing,
+                                const Rounds& rounds) {
+  std::vector<Figure> figures = MeasureStepping(understudy, doing, /*listener=*/false, rounds);
+  const std::vector<Figure> read = MeasureStepping(understudy, doing, /*listener=*/true, rounds);
+  figures.insert(figures.end(), read.begin(), read.end());
+  return figures;
+}
 
 int Main(int argc, char** argv) {
   CLI::App app(
@@ -66,7 +76,7 @@ int Main(int argc, char** argv) {
       "bench");
   bool json = false, brief = false;
   bool only_start = false, only_rehearsals = false, only_further = false;
-  bool only_perception = false, only_clock = false, only_batch = false;
+  bool only_perception = false, only_clock = false, only_batch = false, only_stepping = false;
   ClockedProgram program;
   std::string understudy =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "understudy";
@@ -76,6 +86,7 @@ int Main(int argc, char** argv) {
   app.add_flag("--start", only_start, "Only how long each robot takes to its first LowState");
   app.add_flag("--rehearsals", only_rehearsals, "Only how fast a campaign of rehearsals goes");
   app.add_flag("--further", only_further, "Only what a further robot in one world takes");
+  app.add_flag("--stepping", only_stepping, "Only the daemon against bare MuJoCo");
   app.add_flag("--perception", only_perception, "Only what a lidar's rays take");
   app.add_flag("--batch", only_batch, "Only what robots side by side take in one process");
   app.add_option("--understudy", understudy, "The program to measure [the one beside this]")
@@ -101,7 +112,11 @@ int Main(int argc, char** argv) {
     std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);
     return 0;
   };
-  if (!only_start && !only_rehearsals && !only_further && !only_clock && !only_batch) {
+  const auto add = [&figures](const std::vector<Figure>& more) {
+    figures.insert(figures.end(), more.begin(), more.end());
+  };
+  if (!only_start && !only_rehearsals && !only_further && !only_clock && !only_batch &&
+      !only_stepping) {
     figures = MeasurePerception(effort.clouds);
   }
   if (only_perception) return print();
@@ -110,22 +125,20 @@ int Main(int argc, char** argv) {
     return print();
   }
   exec::EnterPrivateNetwork();
+  if (only_stepping) {
+    for (const Doing& one : kDoings) add(MeasureBoth(understudy, one, effort.rounds));
+    return print();
+  }
   if (only_clock) {
     if (!helper_robot.empty()) program.robot = helper_robot;
     figures = MeasureClock(understudy, program, effort.clock);
     return print();
   }
-  const auto add = [&figures](const std::vector<Figure>& more) {
-    figures.insert(figures.end(), more.begin(), more.end());
-  };
   if (!only_start && !only_further) add(MeasureRehearsals(understudy, "go2", effort.rehearsals));
   for (const Doing& one : kDoings) {
     if (only_start || only_rehearsals) break;
-    for (const bool listener : {false, true}) {
-      if (only_further) break;
-      add(MeasureStepping(understudy, one, listener, effort.rounds));
-    }
-    if (one.ahead != 0) continue;
+    if (!only_further) add(MeasureBoth(understudy, one, effort.rounds));
+    if (one.ahead != 0 || one.hands != std::string("none")) continue;
     figures.push_back(MeasureFurtherRobot(understudy, one.robot, effort.rounds));
     if (only_further) continue;
     add(MeasureLatency(understudy, one.robot, effort.samples));

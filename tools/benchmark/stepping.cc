@@ -72,15 +72,18 @@ Figure MeasureFurtherRobot(const std::string& understudy, const std::string& rob
 std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& doing,
                                     bool listener, const Rounds& rounds) {
   const std::string robot = doing.robot, start = doing.start;
-  const config::Config config =
-      config::LoadConfig({.robot = robot, .sets = {"start.pose=" + start}}, config::DataDir());
+  const std::string hands = doing.hands;
+  const config::Config config = config::LoadConfig(
+      {.robot = robot, .sets = {"start.pose=" + start, "robot.hand_make=" + hands}},
+      config::DataDir());
   assembly::Simulation run(config);
   if (doing.ahead != 0) run.Request("remote.sticks", {{"ly", doing.ahead}});
   BareLoop bare(&run);
   std::optional<Process> client;
   if (listener) client.emplace(HelperArguments("listen", robot));
 
-  const Daemon daemon(understudy, robot, {"--speed", "max", "--start", start});
+  const Daemon daemon(understudy, robot,
+                      {"--speed", "max", "--start", start, "--set", "robot.hand_make=" + hands});
   daemon.AwaitReady();
   if (doing.ahead != 0) daemon.Ask("/remote/sticks", {{"ly", doing.ahead}});
   Settle(daemon, rounds.settle);
@@ -96,8 +99,9 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& 
     share_wall.push_back(ours.wall / theirs.wall);
     share_cpu.push_back(ours.cpu / theirs.cpu);
   }
-  const std::string how =
-      (doing.ahead != 0 ? ", walking" : ", " + start) + std::string(listener ? ", one reader" : "");
+  const std::string how = (doing.ahead != 0 ? ", walking" : ", " + start) +
+                          (hands == "none" ? "" : ", hands " + hands) +
+                          (listener ? ", one reader" : "");
   std::vector<Figure> figures;
   const auto add = [&](const char* name, const char* unit, const std::vector<double>& values) {
     figures.push_back({.robot = robot, .name = name + how, .unit = unit, .value = Median(values)});

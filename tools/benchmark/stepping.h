@@ -19,9 +19,10 @@ struct Rounds {
 // What a robot does while it is measured.
 struct Doing {
   const char* robot;
-  const char* start;     // pose
-  double ahead = 0;      // -1 to 1, the remote's left stick
-  double wanted = 0.95;  // share of bare MuJoCo's speed without a reader
+  const char* start;           // pose
+  const char* hands = "none";  // robot.hand_make
+  double ahead = 0;            // -1 to 1, the remote's left stick
+  double wanted = 0.95;        // share of bare MuJoCo's speed without a reader
 };
 
 // The real program, headless at --speed max and publishing on DDS, beside a loop of nothing but
