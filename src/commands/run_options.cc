@@ -1,11 +1,19 @@
 #include "commands/run_options.h"
 
+#include <array>
 #include <filesystem>
 
 #include "authority/motion_config.h"
 #include "time/pace.h"
 
 namespace understudy::commands {
+namespace {
+
+// Options that few runs need; the help lists them last.
+constexpr std::array kSeldom = {"--dynamics",     "--no-panel",    "--log-level",
+                                "--print-config", "--help-config", "--json"};
+
+}  // namespace
 
 void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   app->add_option(
@@ -86,6 +94,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                 "Print the configuration in effect as YAML and exit");
   app->add_flag("--help-config", arguments->help_config, "Print every configuration key and exit");
   app->add_flag("--json", arguments->json, "Log one JSON object per line");
+  for (const char* name : kSeldom) app->get_option(name)->group("More options");
 }
 
 }  // namespace understudy::commands

@@ -63,7 +63,10 @@ void QuadrupedEstimator::Step(const QuadrupedReading& reading, double dt,
         u_[leg] - reading.R_WB * (reading.w_WB_B.cross(arm) + reading.feet_speed[leg]);
     Correct(0, v_WI.transpose(), Squared(kRate) * (1 + (1 - trust_[leg]) * kSwing));
   }
-  if (Rests(reading, dt) && may_rest) Correct(0, Eigen::RowVector3d::Zero(), Squared(kRestRate));
+  if (Rests(reading, dt) && may_rest) {
+    Correct(0, Eigen::RowVector3d::Zero(), Squared(kRestRate));
+    x_.row(0).setZero();  // what the bias of an accelerometer leaves would add up
+  }
   Tell(reading, dt);
 }
 
