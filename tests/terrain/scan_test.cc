@@ -75,6 +75,12 @@ TEST_F(ScanTest, PassesBelowWhatIsHigherThanItsHeight) {
   EXPECT_NEAR(Height(1, 0.5), 0, 1e-3);
 }
 
+TEST_F(ScanTest, RisesToAWallOverACell) {
+  spec_.scan.cell = 0.5;
+  LoadScan();
+  EXPECT_NEAR(Height(1.8, -1.5), 0.6, 0.05);
+}
+
 TEST_F(ScanTest, StandsWhereItsPoseSays) {
   spec_.scan.scale = 0.5;
   spec_.scan.pos = {10, 0, 0.2};
