@@ -101,7 +101,7 @@ void MeshText::Fail(const std::string& what) const {
 Rgba MeanColour(const Rgba& a, const Rgba& b, const Rgba& c) {
   Rgba mean{};
   for (std::size_t i = 0; i < mean.size(); ++i) {
-    mean[i] = std::round((a[i] + b[i] + c[i]) / 3 * 4) / 4;
+    mean[i] = std::round((a[i] + b[i] + c[i]) / 3 * 8) / 8;
   }
   return mean;
 }

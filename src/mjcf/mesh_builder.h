@@ -61,7 +61,7 @@ class MeshText {
   int number_ = 0;
 };
 
-// The colour of a triangle by those of its corners, rounded to quarters.
+// The colour of a triangle by those of its corners, rounded to eighths.
 Rgba MeanColour(const Rgba& a, const Rgba& b, const Rgba& c);
 
 }  // namespace understudy::mjcf

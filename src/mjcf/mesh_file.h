@@ -32,7 +32,7 @@ std::vector<MeshPart> ReadMeshFile(const std::filesystem::path& file);
 // Wavefront OBJ: all objects of the file, polygons as fans, which is right for convex ones. Colours
 // are Kd of the materials in its .mtl beside it, where that is there, or of its vertices.
 std::vector<MeshPart> ReadObj(const std::filesystem::path& file);
-// PLY, as text or binary. Colours of vertices are rounded to quarters, so that there are few parts.
+// PLY, as text or binary. Colours of vertices are rounded to eighths, so that there are few parts.
 std::vector<MeshPart> ReadPly(const std::filesystem::path& file);
 // STL, as text or binary. It has no colours.
 std::vector<MeshPart> ReadStl(const std::filesystem::path& file);

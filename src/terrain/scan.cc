@@ -168,6 +168,7 @@ TerrainPieces Touched(const Scan& scan, const TerrainSpec& spec) {
   }
   heights.Fill();
   TerrainPieces pieces;
+  pieces.PaintFloor("0.6 0.6 0.58 1");  // and so the light of places
   pieces.Lower(heights.lowest() - kOverFloor);
   heights.AddTo(&pieces, spec.friction);
   return pieces;
