@@ -19,6 +19,7 @@
 
 #include "base/errors.h"
 #include "base/printed.h"
+#include "mjcf/mesh_builder.h"
 
 namespace understudy::mjcf {
 namespace {
@@ -26,7 +27,6 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 using tinyxml2::XMLElement;
-using Rgba = std::array<double, 4>;
 
 constexpr std::uintmax_t kMostDaeBytes = 64U << 20U;
 constexpr std::size_t kMostCorners = 9 * 4'000'000;  // numbers, of all parts

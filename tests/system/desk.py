@@ -46,7 +46,8 @@ def files_fixture(tmp_path_factory):
     for done in (understudy("exec", "go2", *ON_A_STAND, "--record", folder / "excited.mcap", "--", *excite),
                  understudy("run", "go2", "--speed", "max", "--duration", "13", "--record", folder / "run.mcap")):
         assert done.returncode == 0, done.stderr
-    for name in ("walk", "sim", "real", "before", "after", "real_robot", "chirp", "a", "b", "c"):
+    shutil.copy(folder / "excited.mcap", folder / "walk.mcap")  # which an example overwrites; a link it would not
+    for name in ("sim", "real", "before", "after", "real_robot", "chirp", "a", "b", "c"):
         (folder / f"{name}.mcap").symlink_to("excited.mcap")
     (folder / "rehearsals" / "push").mkdir(parents=True)
     (folder / "rehearsals" / "push" / "recording.mcap").symlink_to("../../run.mcap")
