@@ -56,7 +56,7 @@ def test_the_reward_rises_and_the_policy_is_deployed_by_the_same_definition(tmp_
     from train import Learner, train as train_in_process
 
     learner = Learner(45, 12, seed=2)
-    train_in_process(tmp_path, Crouch(Crouch.TASK, 16), learner, lambda: learner.iteration == 24)
+    train_in_process(tmp_path, Crouch(Crouch.TASK, 16), learner, lambda: learner.iteration == 48)
     reward = progress(tmp_path)["reward_per_s"]
     assert reward[-8:].mean() > 1.5 * reward[:8].mean(), reward
     checked = subprocess.run(
