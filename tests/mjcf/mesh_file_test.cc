@@ -18,13 +18,13 @@ using testing::HasSubstr;
 using testing::SizeIs;
 
 // A square of two triangles, and what readers make of it.
-const std::vector<float> kSquare{0, 0, 1, 2, 0, 1, 2, 2, 1, 0, 0, 1, 2, 2, 1, 0, 2, 1};
-constexpr char kObj[] =
+const std::vector<float> kSquareCorners{0, 0, 1, 2, 0, 1, 2, 2, 1, 0, 0, 1, 2, 2, 1, 0, 2, 1};
+constexpr char kSquareObj[] =
     "# square\nv 0 0 1\nv 2 0 1\nv 2 2 1\nv 0 2 1\nvn 0 0 1\nf 1/1/1 2//1 3 4\n";
 constexpr char kPlyHead[] =
     "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-constexpr char kStl[] =
+constexpr char kSquareStl[] =
     "solid square\n"
     "facet normal 0 0 1\n outer loop\n vertex 0 0 1\n vertex 2 0 1\n vertex 2 2 1\n "
     "endloop\nendfacet\n"
@@ -72,17 +72,13 @@ class MeshFileTest : public testing::Test {
 
 TEST_F(MeshFileTest, ReadsTheSameSquareFromEachKindOfFile) {
   const std::pair<const char*, std::string> files[] = {
-      {"a.obj", kObj},
-      {"a.ply", PlyText()},
-      {"little.ply", PlyBytes(false)},
-      {"big.PLY", PlyBytes(true)},
-      {"a.stl", kStl},
-      {"binary.stl", Stl(kSquare)},
+      {"a.obj", kSquareObj},       {"a.ply", PlyText()},  {"little.ply", PlyBytes(false)},
+      {"big.PLY", PlyBytes(true)}, {"a.stl", kSquareStl}, {"binary.stl", Stl(kSquareCorners)},
   };
   for (const auto& [name, text] : files) {
     const std::vector<MeshPart> parts = Read(name, text);
     ASSERT_THAT(parts, SizeIs(1)) << name;
-    EXPECT_EQ(parts[0].corners, kSquare) << name;
+    EXPECT_EQ(parts[0].corners, kSquareCorners) << name;
     EXPECT_EQ(parts[0].rgba, std::nullopt) << name;
   }
 }
@@ -145,7 +141,7 @@ TEST_F(MeshFileTest, SaysWhatIsWrongAndWhere) {
       {"f.ply", with("end_header", "end"), "expected 'end_header'"},
       {"g.ply", PlyBytes(false).substr(0, PlyBytes(false).size() - 2), "g.ply: ends too early"},
       {"a.stl", "nothing", "a.stl: expected STL"},
-      {"b.stl", Stl(kSquare) + "x",
+      {"b.stl", Stl(kSquareCorners) + "x",
        "b.stl: expected STL, as text or with the bytes of 2 triangles"},
       {"c.stl", "solid\nvertex 1 2\n", "c.stl:2: expected a number"},
   };
