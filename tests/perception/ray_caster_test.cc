@@ -131,7 +131,7 @@ TEST_F(RayCasterTest, HasNoGeomThatNothingTouches) {
 TEST_F(RayCasterTest, IsMetWhereAScanIsInPlaceOfTheGroundThatStandsForIt) {
   constexpr char kScene[] = R"(<mujoco><worldbody>
     <geom name="ground_0" type="box" size="5 5 1" pos="0 0 -0.5"/>
-    <geom name="pole" type="box" size="0.1 0.1 1" pos="3 0 0"/></worldbody></mujoco>)";
+    <geom name="pole" type="box" size="0.1 0.1 2" pos="3 0 0"/></worldbody></mujoco>)";
   const test::TemporaryFolder folder;
   const mjcf::ModelHandle model = physics::LoadModelFile(folder.Write("scene.xml", kScene));
   const mjcf::DataHandle data(mj_makeData(model.get()));
@@ -143,8 +143,8 @@ TEST_F(RayCasterTest, IsMetWhereAScanIsInPlaceOfTheGroundThatStandsForIt) {
   EXPECT_NEAR(floor.distance, 2, 1e-6);
   EXPECT_EQ(floor.geom, 0);
   EXPECT_NEAR(wall.distance, 2, 1e-6);
-  // What else stands there is met as well, beside the wall.
-  EXPECT_NEAR(rays.Cast({{0, 0, 0.9}, {1, 0, 0}}).distance, 2.9, 1e-6);
+  // What else stands there is met as well, over the wall.
+  EXPECT_NEAR(rays.Cast({{0, 0, 1.5}, {1, 0, 0}}).distance, 2.9, 1e-6);
   rays.Follow(1, *data);
   EXPECT_NEAR(rays.Cast({{0, 0, 0.3}, {1, 0, 0}}).distance, 2, 1e-6);
 }

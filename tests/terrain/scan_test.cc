@@ -62,11 +62,11 @@ class ScanTest : public TerrainTest {
 TEST_F(ScanTest, IsTouchedAsTheHighestSurfaceUpToItsHeight) {
   LoadScan();
   EXPECT_NEAR(Height(-1, 1), 0, 1e-3);
-  EXPECT_NEAR(Height(1, 0.5), 0.7, 1e-3);    // the table, down to the floor
-  EXPECT_NEAR(Height(1.99, -1.5), 1, 0.03);  // the wall, as far as it is touched
-  EXPECT_NEAR(Height(1.9, -1.5), 0, 1e-3);   // one cell before it
-  EXPECT_NEAR(Height(0, -0.75), 0, 1e-3);    // where nothing was scanned
-  EXPECT_NEAR(Height(-5, 0), -0.05, 1e-3);   // round about
+  EXPECT_NEAR(Height(1, 0.5), 0.7, 1e-3);     // the table, down to the floor
+  EXPECT_NEAR(Height(1.999, -1.5), 1, 0.03);  // the wall, as far as it is touched
+  EXPECT_NEAR(Height(1.9, -1.5), 0, 1e-3);    // one cell before it
+  EXPECT_NEAR(Height(0, -0.75), 0, 1e-3);     // where nothing was scanned
+  EXPECT_NEAR(Height(-5, 0), -0.05, 1e-3);    // round about
 }
 
 TEST_F(ScanTest, PassesBelowWhatIsHigherThanItsHeight) {
