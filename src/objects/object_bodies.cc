@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -197,6 +200,23 @@ MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects, Prints prints)
     world.children.push_back(BodyOf(objects[i], names[i], prints));
   }
   return world;
+}
+
+void RequirePictures(std::span<const ObjectSpec> objects) {
+  constexpr std::string_view kPngHead = "\x89PNG\r\n\x1a\n";
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::string& image = objects[i].image;
+    if (image.empty()) continue;
+    std::error_code error;
+    std::string head(kPngHead.size(), '\0');
+    if (std::filesystem::is_regular_file(image, error)) {
+      std::ifstream file(image, std::ios::binary);
+      file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    }
+    if (head == kPngHead) continue;
+    throw ModelError("objects." + std::to_string(i) + ".image: expected a PNG, got '" +
+                     Printable(image) + "'");
+  }
 }
 
 MjcfElement MakePictures(std::span<const ObjectSpec> objects) {

@@ -19,6 +19,10 @@ enum class Prints { kLeftOut, kKept };
 // given.
 mjcf::MjcfElement MakeObjectBodies(std::span<const ObjectSpec> objects, Prints prints);
 
+// Throws ModelError with the key of the first picture that is no PNG; whether it is whole only who
+// draws it finds out.
+void RequirePictures(std::span<const ObjectSpec> objects);
+
 // Returns an <asset> with the pictures of posters. Without children if there are none.
 mjcf::MjcfElement MakePictures(std::span<const ObjectSpec> objects);
 

@@ -297,6 +297,7 @@ mjcf::ModelHandle Compose(const std::vector<PlacedRobot>& placed, std::vector<Lo
     place += " in " + around.file.string();
   }
   if (!around.objects.empty()) {
+    objects::RequirePictures(around.objects);
     // Names of several robots' bodies have a slash.
     if (placed.size() == 1)
       objects::RequireOwnNames(around.objects, *robots[0].model, placed[0].file);

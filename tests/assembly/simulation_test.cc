@@ -43,24 +43,25 @@ TEST_F(SimulationTest, ARobotWithoutPortsStandsOnItsMotionService) {
   EXPECT_NEAR(HeightOf(simulation), 0.3, 0.05);
 }
 
-// A step of 30 cm ahead of the origin, as somebody scanned it.
+// A block of 60 cm ahead of the origin, as somebody scanned it.
 TEST_F(SimulationTest, ARobotStandsOnAScanAndItsRaysMeetIt) {
   const test::TemporaryFolder folder;
-  const std::string file = folder.Write("step.obj",
+  const std::string file = folder.Write("block.obj",
                                         "v -3 -3 0\nv 1 -3 0\nv 1 3 0\nv -3 3 0\nf 1 2 3 4\n"
-                                        "v 1 -3 0.3\nv 3 -3 0.3\nv 3 3 0.3\nv 1 3 0.3\n"
+                                        "v 1 -3 0.6\nv 3 -3 0.6\nv 3 3 0.6\nv 1 3 0.6\n"
                                         "f 5 6 7 8\nf 2 5 8 3\n");
   Simulation simulation(ConfigOf("go2", {"scene=" + file, "start.pose=standing"}));
-  simulation.Step(500);
+  simulation.Step(1000);
   EXPECT_NEAR(HeightOf(simulation), 0.3, 0.05);
   const physics::MujocoWorld& world = simulation.world().physics();
   ASSERT_NE(world.scan(), nullptr);
   perception::NearestObstacle nearest(world, 0);
-  EXPECT_NEAR(nearest.Measure(0, world.data()), 0.7, 0.15) << "the step's face";
+  EXPECT_NEAR(nearest.Measure(0, world.data()), 0.7, 0.15) << "the block's face";
   EXPECT_GE(mj_name2id(&*simulation.sight().Get(), mjOBJ_GEOM, "scan_0"), 0);
+  const physics::MujocoWorld::Scan* const scan = world.scan();
   // Begun anew it is the same, from what was read once.
   simulation.Begin(2);
-  EXPECT_EQ(simulation.world().physics().scan(), world.scan());
+  EXPECT_EQ(simulation.world().physics().scan(), scan);
 }
 
 TEST_F(SimulationTest, ARequestIsCarriedOutBeforeTheNextStep) {

@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
+#include "base/errors.h"
 #include "mjcf/compile.h"
 #include "objects/prints.h"
 #include "tests/support/mujoco_test.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::objects {
 namespace {
@@ -139,6 +141,21 @@ TEST_F(ObjectBodiesTest, HaveABallThatComesToRest) {
   EXPECT_GT(data_->qpos[0], 0.5) << "it rolls";
   Pass(30);
   EXPECT_LT(std::abs(data_->qvel[0]), 0.01);
+}
+
+TEST_F(ObjectBodiesTest, RequireAPngOfAPoster) {
+  const test::TemporaryFolder folder;
+  const std::string png = folder.Write("cat.png", "\x89PNG\r\n\x1a\n and so on");
+  EXPECT_NO_THROW(RequirePictures(std::vector<ObjectSpec>{{.kind = "poster", .image = png}}));
+  for (const std::string& image :
+       {std::string("/dev/zero"), folder.Write("cat.jpg", "JFIF").string()}) {
+    try {
+      RequirePictures(std::vector<ObjectSpec>{{}, {.kind = "poster", .image = image}});
+      ADD_FAILURE() << image;
+    } catch (const ModelError& error) {
+      EXPECT_EQ(error.what(), "objects.1.image: expected a PNG, got '" + image + "'");
+    }
+  }
 }
 
 }  // namespace
