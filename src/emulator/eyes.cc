@@ -26,11 +26,11 @@ int BodyOf(const robot::RobotSpec& spec, const physics::RobotBody& body) {
 
 Eyes::Eyes(const robot::RobotSpec& spec, const sensors::SensorConfig& errors,
            const physics::MujocoWorld& physics, const physics::RobotBody& body,
-           const perception::RayCaster& scene)
+           const perception::RayCaster& rays)
     : spec_(spec),
       step_ns_(std::llround(physics.timestep() * 1e9)),
       R_BL_(robot::FromRollPitchYaw(spec.lidar.rpy)),
-      lidar_(spec.lidar, errors, BodyOf(spec, body), physics.model(), physics.data(), scene,
+      lidar_(spec.lidar, errors, BodyOf(spec, body), physics.model(), physics.data(), rays,
              physics.timestep()) {
   for (const wire::LidarMessage& message : wire::LidarMessages(spec)) {
     parts_.push_back({message.content, robot::Rate(message.topic.hz, physics.timestep())});
@@ -53,7 +53,7 @@ void Eyes::Rest() {
 }
 
 void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
-                perception::RayCaster* scene, Computer* computer) {
+                perception::RayCaster* rays, Computer* computer) {
   const bool runs = !faults.dead && computer->RunsLidar();
   looks_ = runs && computer->LooksForObstacles();
   bool casts = looks_;
@@ -65,7 +65,7 @@ void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects
   reading.now_ns = step * step_ns_;
   if (!looks_) ForgetObstacles(computer);
   if (casts) {
-    Cast(step, data, faults, scene, computer);
+    Cast(step, data, faults, rays, computer);
   } else {
     Rest();
   }
@@ -86,13 +86,13 @@ void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects
 }
 
 void Eyes::Cast(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
-                perception::RayCaster* scene, Computer* computer) {
-  scene->Follow(step, data);
+                perception::RayCaster* rays, Computer* computer) {
+  rays->Follow(step, data);
   const auto& odometry = computer->sampled().leg_odometry;
   const robot::LegOdometry* const base = odometry ? &*odometry : nullptr;
   const bool maps = Wants(Content::kHeightMap) || Wants(Content::kVoxelMap);
   const bool deskews = maps || looks_ || Wants(Content::kCloudDeskewed);
-  if (!lidar_.Sense(step, data, *scene, faults, deskews ? base : nullptr)) return;
+  if (!lidar_.Sense(step, data, *rays, faults, deskews ? base : nullptr)) return;
   const robot::LidarReading& reading = lidar_.reading();
   const bool deskewed = reading.deskewed.size() == reading.cloud.points.size();
   if (maps && base != nullptr && deskewed) Map(*base);

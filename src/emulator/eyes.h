@@ -24,13 +24,13 @@ class Eyes {
   // `spec` has a lidar and must outlive it.
   Eyes(const robot::RobotSpec& spec, const sensors::SensorConfig& errors,
        const physics::MujocoWorld& physics, const physics::RobotBody& body,
-       const perception::RayCaster& scene);
+       const perception::RayCaster& rays);
 
   // Goes on with other errors.
   void Apply(const sensors::SensorConfig& errors) { lidar_.Apply(errors); }
   // Looks after a step of the physics and publishes what is complete or due.
   void Look(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
-            perception::RayCaster* scene, Computer* computer);
+            perception::RayCaster* rays, Computer* computer);
 
  private:
   // A content, and how often it is due; of those of clouds with each cloud.
@@ -43,7 +43,7 @@ class Eyes {
   bool Wants(wire::Content content) const;
   void Rest();
   void Cast(std::int64_t step, const mjData& data, const robot::LidarEffects& faults,
-            perception::RayCaster* scene, Computer* computer);
+            perception::RayCaster* rays, Computer* computer);
   // Make of a cloud that is complete what is wanted of it.
   void Map(const robot::LegOdometry& base);
   void Measure(const robot::LegOdometry& base);

@@ -37,7 +37,7 @@ std::vector<std::string> Links(const robot::RobotSpec& spec, const wire::RobotPo
 }  // namespace
 
 Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::MujocoWorld* physics,
-             perception::RayCaster* scene, EventRing* events)
+             perception::RayCaster* rays, EventRing* events)
     : spec_(parts.spec),
       settings_(parts.settings),
       starts_(StartsOf(spec_, settings_.gate.damping_kd)),
@@ -61,7 +61,7 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::MujocoWorld* 
           },
           physics->timestep(), &events_),
       hardware_(spec_, settings_.sensors, faults_, computer_.command(), body_, physics->timestep()),
-      scene_(scene),
+      rays_(rays),
       crane_(settings_.crane),
       crane_body_(body_->Body(spec_.crane_body)),
       hand_names_(robot::HandNames(spec_)) {
@@ -70,7 +70,7 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::MujocoWorld* 
     if (!planned) throw ConfigError("faults: " + planned.why());
   }
   if (robot::HasLidar(spec_.lidar)) {
-    eyes_.emplace(spec_, settings_.sensors, *physics, *body_, *scene);
+    eyes_.emplace(spec_, settings_.sensors, *physics, *body_, *rays);
   }
   Reset(settings_.start);
   if (settings_.boot) {
@@ -116,7 +116,7 @@ void Robot::Tell(std::int64_t step) {
   hardware_.Sense();
   if (computer_.Due(step)) Sample(step);
   computer_.Publish(step);
-  if (eyes_) eyes_->Look(step, physics_->data(), faults_.effects().lidar, scene_, &computer_);
+  if (eyes_) eyes_->Look(step, physics_->data(), faults_.effects().lidar, rays_, &computer_);
 }
 
 void Robot::Reset(robot::StartPose pose) {

@@ -41,11 +41,11 @@ struct RobotParts {
 class Robot {
  public:
   // Puts the robot in its start pose. `index` is its number in the world. `physics` was made for
-  // the same spec, and `scene`, which a robot without a lidar need not have, for the same model;
+  // the same spec, and `rays`, which a robot without a lidar need not have, for the same model;
   // `events` gets the robot's events. They must outlive it. Throws ConfigError for a fault in the
   // settings that the robot cannot have.
   Robot(const RobotParts& parts, std::uint8_t index, physics::MujocoWorld* physics,
-        perception::RayCaster* scene, EventRing* events);
+        perception::RayCaster* rays, EventRing* events);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
@@ -170,7 +170,7 @@ class Robot {
   RobotEvents events_;
   Computer computer_;
   drive::Hardware hardware_;
-  perception::RayCaster* scene_;
+  perception::RayCaster* rays_;
   std::optional<Eyes> eyes_;  // where spec_ has a lidar
   physics::Crane crane_;
   int crane_body_;

@@ -21,11 +21,11 @@ World::World(physics::MujocoWorld physics, const WorldSettings& settings,
       pace_{.speed = settings.speed} {
   const auto sees = [](const RobotParts& parts) { return robot::HasLidar(parts.spec.lidar); };
   if (std::ranges::any_of(robots, sees)) {
-    scene_.emplace(physics_.model(), physics_.data(), physics_.scan());
+    rays_.emplace(physics_.model(), physics_.data(), physics_.scan());
   }
   for (const RobotParts& parts : robots) {
     robots_.emplace_back(parts, static_cast<std::uint8_t>(robots_.size()), &physics_,
-                         scene_ ? &*scene_ : nullptr, &events_);
+                         rays_ ? &*rays_ : nullptr, &events_);
   }
   forces_.resize(robots.size());
   recordings_.resize(robots.size());

@@ -149,7 +149,7 @@ class World {
   WorldSettings settings_;
   EventRing events_;
   physics::MujocoWorld physics_;
-  std::optional<perception::RayCaster> scene_;  // where a robot sees
+  std::optional<perception::RayCaster> rays_;  // where a robot sees
   std::deque<Robot> robots_;
   std::vector<Inbox*> inboxes_;
   std::int64_t step_ns_;

@@ -105,6 +105,9 @@ std::string CountsText(const mjModel& model) {
          std::to_string(model.nu) + " actuators";
 }
 
+// MuJoCo 2.2.2 does not ask.
+const char* SheetAttribute() { return mjVERSION_HEADER < 300 ? "" : " inertia=\"shell\""; }
+
 const char* MujocoVersion() { return mj_versionString(); }
 
 std::vector<std::string> UnknownWords(MjcfElement root) {

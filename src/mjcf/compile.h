@@ -22,6 +22,9 @@ std::vector<std::string> UnknownWords(MjcfElement root);
 // Returns "13 bodies, 13 joints, 12 actuators", without the world body.
 std::string CountsText(const mjModel& model);
 
+// Returns what a <mesh> has to say that is a sheet without a volume, such as a wall.
+const char* SheetAttribute();
+
 // Returns the version of the loaded library, such as "2.2.2".
 const char* MujocoVersion();
 

@@ -49,7 +49,9 @@ std::string MeshBytes(const std::filesystem::path& file) {
   if (error) throw ModelError(file.string() + ": " + error.message());
   if (size > kMostMeshBytes)
     throw ModelError(file.string() + ": expected a file of at most 256 MiB");
-  return FileText(file);
+  std::string bytes = FileText(file);
+  if (bytes.empty() && size > 0) throw ModelError(file.string() + ": cannot be read");
+  return bytes;
 }
 
 bool MeshText::NextLine() {

@@ -40,7 +40,7 @@ bool IsEcho(const robot::LidarPoint& point) { return point.x != 0 || point.y != 
 }  // namespace
 
 Lidar::Lidar(const robot::LidarSpec& spec, const sensors::SensorConfig& errors, int body,
-             const mjModel& model, const mjData& data, const RayCaster& scene, double dt)
+             const mjModel& model, const mjData& data, const RayCaster& rays, double dt)
     : spec_(spec),
       law_(LawOf(spec.make)),
       errors_(errors),
@@ -49,7 +49,7 @@ Lidar::Lidar(const robot::LidarSpec& spec, const sensors::SensorConfig& errors, 
       R_BL_(robot::FromRollPitchYaw(spec.rpy)) {
   const mjcf::RotationView R_WB(data.xmat + 9 * body);
   const Vector3d p_BS = spec.pos + R_BL_ * Vector3d(0, 0, law_.beam_start);
-  housing_ = scene.Around(mjcf::Vector(data.xpos + 3 * body) + R_WB * p_BS);
+  housing_ = rays.Around(mjcf::Vector(data.xpos + 3 * body) + R_WB * p_BS);
   std::erase_if(housing_, [&](int geom) { return model.geom_bodyid[geom] != body; });
   slots_ = law_.slots_per_second * std::llround(dt * 1e9);
   const std::int64_t common = std::gcd(slots_, kSecond);
@@ -75,7 +75,7 @@ void Lidar::Begin(std::int64_t slot) {
   filling_.stamp_ns = slot * kSecond / law_.slots_per_second;
 }
 
-bool Lidar::Sense(std::int64_t step, const mjData& data, const RayCaster& scene,
+bool Lidar::Sense(std::int64_t step, const mjData& data, const RayCaster& rays,
                   const robot::LidarEffects& faults, const robot::LegOdometry* base) {
   const mjcf::RotationView R_WB(data.xmat + 9 * body_);
   p_WL_ = mjcf::Vector(data.xpos + 3 * body_) + R_WB * spec_.pos;
@@ -89,7 +89,7 @@ bool Lidar::Sense(std::int64_t step, const mjData& data, const RayCaster& scene,
     if (!sees_) continue;
     const Vector3d ahead = law_.look(slot);
     if (ahead.isZero(0)) continue;
-    robot::LidarPoint point = Cast(slot, ahead, scene, faults);
+    robot::LidarPoint point = Cast(slot, ahead, rays, faults);
     if (!law_.keeps_misses && !IsEcho(point)) continue;
     filling_.points.push_back(point);
     if (base == nullptr) continue;
@@ -104,7 +104,7 @@ bool Lidar::Sense(std::int64_t step, const mjData& data, const RayCaster& scene,
 }
 
 // Returns a point at 0 if no echo comes back.
-robot::LidarPoint Lidar::Cast(std::int64_t slot, const Vector3d& ahead, const RayCaster& scene,
+robot::LidarPoint Lidar::Cast(std::int64_t slot, const Vector3d& ahead, const RayCaster& rays,
                               const robot::LidarEffects& faults) const {
   robot::LidarPoint point;
   point.time = static_cast<float>(static_cast<double>(slot % law_.cloud_slots) /
@@ -124,7 +124,7 @@ robot::LidarPoint Lidar::Cast(std::int64_t slot, const Vector3d& ahead, const Ra
     return point;
   }
   const Vector3d start(0, 0, law_.beam_start);
-  const Hit hit = scene.Cast({p_WL_ + R_WL_ * start, R_WL_ * ahead}, housing_);
+  const Hit hit = rays.Cast({p_WL_ + R_WL_ * start, R_WL_ * ahead}, housing_);
   if (!(hit.distance >= spec_.range[0] && hit.distance <= spec_.range[1])) return point;
   const double noise = std::hypot(gain * spec_.noise, faults.noise);
   double range = hit.distance + (noise > 0 ? noise * chance(kRange) : 0);

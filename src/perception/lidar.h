@@ -22,18 +22,18 @@ namespace understudy::perception {
 class Lidar {
  public:
   // `body` carries the lidar; geoms of it in which the beams start are its housing, which no ray
-  // meets. `data` has the kinematics of the model, that of `scene`. `dt` [s] is the step of the
+  // meets. `data` has the kinematics of the model, that of `rays`. `dt` [s] is the step of the
   // physics.
   Lidar(const robot::LidarSpec& spec, const sensors::SensorConfig& errors, int body,
-        const mjModel& model, const mjData& data, const RayCaster& scene, double dt);
+        const mjModel& model, const mjData& data, const RayCaster& rays, double dt);
 
   // Goes on with other errors.
   void Apply(const sensors::SensorConfig& errors) { errors_ = errors; }
 
-  // Casts the samples since the step before; `data` has the poses of this one, as `scene` has.
+  // Casts the samples since the step before; `data` has the poses of this one, as `rays` has.
   // `base` is where the robot takes its base for; null: nothing is deskewed. Returns whether a
   // cloud is complete; after Rest the next whole one.
-  bool Sense(std::int64_t step, const mjData& data, const RayCaster& scene,
+  bool Sense(std::int64_t step, const mjData& data, const RayCaster& rays,
              const robot::LidarEffects& faults = {}, const robot::LegOdometry* base = nullptr);
   // Drops the cloud that has begun.
   void Rest() { sees_ = false; }
@@ -52,7 +52,7 @@ class Lidar {
  private:
   std::int64_t SlotsUntil(std::int64_t step) const { return step * slots_ / steps_; }
   void Begin(std::int64_t slot);
-  robot::LidarPoint Cast(std::int64_t slot, const Eigen::Vector3d& ahead, const RayCaster& scene,
+  robot::LidarPoint Cast(std::int64_t slot, const Eigen::Vector3d& ahead, const RayCaster& rays,
                          const robot::LidarEffects& faults) const;
 
   robot::LidarSpec spec_;

@@ -26,7 +26,7 @@ std::array<Vector3d, 2> LevelAxesOf(const mjData& data, int base) {
 }  // namespace
 
 NearestObstacle::NearestObstacle(const physics::MujocoWorld& world, std::size_t robot)
-    : scene_(world.model(), world.data(), world.scan()),
+    : rays_(world.model(), world.data(), world.scan()),
       base_(world.robot(robot).Body(world.robot(robot).spec().base_body)) {
   const mjModel& model = world.model();
   const mjData& data = world.data();
@@ -50,14 +50,14 @@ NearestObstacle::NearestObstacle(const physics::MujocoWorld& world, std::size_t 
 }
 
 double NearestObstacle::Measure(std::int64_t step, const mjData& data) {
-  scene_.Follow(step, data);
+  rays_.Follow(step, data);
   const auto axes = LevelAxesOf(data, base_);
   const Vector3d p_WB = mjcf::Vector(data.xpos + 3 * base_);
   double nearest = kFarthest;
   for (int i = 0; i < kRays; ++i) {
     const double angle = 2 * std::numbers::pi * i / kRays;
     const Vector2d along(std::cos(angle), std::sin(angle));
-    const Hit hit = scene_.Cast({p_WB, along.x() * axes[0] + along.y() * axes[1]}, own_);
+    const Hit hit = rays_.Cast({p_WB, along.x() * axes[0] + along.y() * axes[1]}, own_);
     if (!std::isfinite(hit.distance)) continue;
     const Array2d at = (hit.distance * along).array();
     const Array2d off = (low_ - at).max(at - high_).max(0.0);

@@ -30,7 +30,7 @@ class NearestObstacle {
  private:
   static constexpr int kRays = 108;
 
-  RayCaster scene_;
+  RayCaster rays_;
   int base_;                               // body
   std::vector<int> own_;                   // geoms of the robot
   Eigen::Array2d low_{0, 0}, high_{0, 0};  // m, of the outline in the base's frame, level

@@ -12,6 +12,7 @@
 
 #include "base/errors.h"
 #include "base/printed.h"
+#include "mjcf/compile.h"
 #include "mjcf/stl.h"
 #include "terrain/file.h"
 #include "terrain/pieces.h"
@@ -22,11 +23,10 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-constexpr double kLargest = 200;         // m
-constexpr double kMostSurface = 50'000;  // m²
-constexpr int kMostPoints = 2000;        // of the height field, along a side
+constexpr double kLargest = 200;      // m
+constexpr int kMostPoints = 2000;     // of the height field, along a side
+constexpr double kMostSamples = 3e8;  // of surfaces: a second or two
 constexpr std::size_t kOfTriangle = 9;
-constexpr std::size_t kMostFaces = 200'000;  // of an STL file that MuJoCo reads
 
 Vector3d Corner(std::span<const float> corners, std::size_t i) {
   return {corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]};
@@ -43,20 +43,19 @@ void ForEachTriangle(const Scan& scan, F f) {
   }
 }
 
-void CheckSize(const std::string& file, const Scan& scan) {
+AlignedBox3d BoxOf(const Scan& scan) {
   AlignedBox3d box;
-  double surface = 0;
   ForEachTriangle(scan, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     for (const Vector3d* const corner : {&a, &b, &c}) box.extend(*corner);
-    surface += (b - a).cross(c - a).norm() / 2;
   });
-  const double side = box.sizes().maxCoeff();
+  return box;
+}
+
+void CheckSize(const std::string& file, const Scan& scan) {
+  const double side = BoxOf(scan).sizes().maxCoeff();
   if (!(side <= kLargest)) {
     throw ModelError(file + ": " + Printed("%.0f m", side) +
                      " large; expected at most 200 m. terrain.scan.scale is the m of its unit");
-  }
-  if (!(surface <= kMostSurface)) {
-    throw ModelError(file + Printed(": %.0f m² of surface; expected at most 50000", surface));
   }
 }
 
@@ -75,18 +74,19 @@ class Heights {
                    kNothing);
   }
 
+  // How often Cover samples a triangle, about.
+  double SamplesOf(const Vector3d& a, const Vector3d& b, const Vector3d& c) const {
+    return (RowsOf(a, b, c) + 1.0) * (PartsOf((c - b).norm()) / 2.0 + 1);
+  }
+
   // Raises the points nearest to those of a triangle that are not above `most`.
   void Cover(const Vector3d& a, const Vector3d& b, const Vector3d& c, double most) {
     if (std::min({a.z(), b.z(), c.z()}) > most) return;
-    const double spacing = step_.minCoeff() / 2;
-    const auto parts = [spacing](double length) {
-      return std::max(1, static_cast<int>(std::ceil(length / spacing)));
-    };
-    const int rows = parts(std::max((b - a).norm(), (c - a).norm()));
+    const int rows = RowsOf(a, b, c);
     for (int i = 0; i <= rows; ++i) {
       const double u = static_cast<double>(i) / rows;
       const Vector3d from = a + u * (b - a), to = a + u * (c - a);
-      const int columns = parts((to - from).norm());
+      const int columns = PartsOf((to - from).norm());
       for (int j = 0; j <= columns; ++j) {
         const Vector3d point = from + static_cast<double>(j) / columns * (to - from);
         if (point.z() > most) continue;
@@ -128,6 +128,14 @@ class Heights {
  private:
   static constexpr float kNothing = -std::numeric_limits<float>::infinity();
 
+  // So many parts of a line leave no point between two samples.
+  int PartsOf(double length) const {
+    return std::max(1, static_cast<int>(std::ceil(2 * length / step_.minCoeff())));
+  }
+  int RowsOf(const Vector3d& a, const Vector3d& b, const Vector3d& c) const {
+    return PartsOf(std::max((b - a).norm(), (c - a).norm()));
+  }
+
   float& At(const Vector3d& point) {
     const auto place = [](double at, double step, int count) {
       return std::clamp(static_cast<int>(std::lround(at / step)), 0, count - 1);
@@ -153,11 +161,18 @@ class Heights {
 };
 
 TerrainPieces Touched(const Scan& scan, const TerrainSpec& spec) {
-  AlignedBox3d box;
-  ForEachTriangle(scan, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-    for (const Vector3d* const corner : {&a, &b, &c}) box.extend(*corner);
-  });
+  const AlignedBox3d box = BoxOf(scan);
   Heights heights(box, spec.scan.cell);
+  double samples = 0;
+  ForEachTriangle(scan, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    samples += heights.SamplesOf(a, b, c);
+  });
+  if (samples > kMostSamples) {
+    throw ModelError("terrain.scan.cell: its surfaces would be sampled " +
+                     Printed("%.0f", samples * 1e-6) +
+                     " million times; expected at most 300: larger cells, or fewer and less "
+                     "pointed triangles");
+  }
   ForEachTriangle(scan, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     heights.Cover(a, b, c, spec.scan.height);
   });
@@ -174,22 +189,6 @@ TerrainPieces Touched(const Scan& scan, const TerrainSpec& spec) {
   return pieces;
 }
 
-// MuJoCo asks every mesh for a volume, which a wall alone has not: a pyramid of 1 cm makes one.
-void AddVolume(std::vector<float>* corners) {
-  const auto corner = [&](float x, float y, float z) {
-    const float at[] = {(*corners)[0] + x, (*corners)[1] + y, (*corners)[2] + z};
-    return std::array<float, 3>{at[0], at[1], at[2]};
-  };
-  constexpr float kSide = 0.01F;
-  const std::array<std::array<float, 3>, 4> p{corner(0, 0, 0), corner(kSide, 0, 0),
-                                              corner(0, kSide, 0), corner(0, 0, kSide)};
-  constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
-      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-  for (const auto& face : kFaces) {
-    for (const std::size_t i : face) corners->insert(corners->end(), p[i].begin(), p[i].end());
-  }
-}
-
 // What of scene.xml cameras see in place of the height field.
 struct Seen {
   std::string assets, geoms;
@@ -201,15 +200,11 @@ Seen WriteMeshes(const Scan& scan, const std::filesystem::path& folder) {
   int number = 0;
   for (const mjcf::MeshPart& part : scan) {
     const auto [r, g, b, a] = part.rgba.value_or(kGrey);
-    const std::span<const float> all = part.corners;
-    constexpr std::size_t kMost = (kMostFaces - 4) * kOfTriangle;
-    for (std::size_t from = 0; from < all.size(); from += kMost) {
-      const std::span<const float> some = all.subspan(from, std::min(kMost, all.size() - from));
-      std::vector<float> corners(some.begin(), some.end());
-      AddVolume(&corners);
+    for (const std::string& stl : mjcf::Stls(part.corners)) {
       const std::string name = "scan_" + std::to_string(number++);
-      WriteBytes(folder / (name + ".stl"), mjcf::Stl(corners));
-      seen.assets += "    <mesh name=\"" + name + "\" file=\"" + name + ".stl\"/>\n";
+      WriteBytes(folder / (name + ".stl"), stl);
+      seen.assets += "    <mesh name=\"" + name + "\" file=\"" + name + ".stl\"" +
+                     mjcf::SheetAttribute() + "/>\n";
       seen.geoms += "    <geom name=\"" + name + "\" type=\"mesh\" mesh=\"" + name +
                     "\" contype=\"0\" conaffinity=\"0\" rgba=\"" + Printed("%g", r) + " " +
                     Printed("%g", g) + " " + Printed("%g", b) + " " + Printed("%g", a) + "\"/>\n";

@@ -43,7 +43,7 @@ TEST_F(SimulationTest, ARobotWithoutPortsStandsOnItsMotionService) {
   EXPECT_NEAR(HeightOf(simulation), 0.3, 0.05);
 }
 
-// A block of 60 cm ahead of the origin, as somebody scanned it.
+// The scan is of a block of 60 cm ahead of the origin.
 TEST_F(SimulationTest, ARobotStandsOnAScanAndItsRaysMeetIt) {
   const test::TemporaryFolder folder;
   const std::string file = folder.Write("block.obj",

@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "mjcf/urdf_reader.h"
+#include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 
 namespace understudy::mjcf {
@@ -46,12 +47,7 @@ class DaeTest : public testing::Test {
     return ReadDae(folder_.Write("a.dae", text));
   }
   std::string FaultOf(const std::string& text) {
-    try {
-      Read(text);
-    } catch (const ModelError& error) {
-      return error.what();
-    }
-    return "";
+    return test::ErrorOf<ModelError>([&] { Read(text); });
   }
   test::TemporaryFolder folder_;
 };

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "mjcf/stl.h"
+#include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 
 namespace understudy::mjcf {
@@ -60,12 +61,7 @@ class MeshFileTest : public testing::Test {
     return ReadMeshFile(folder_.Write(name, text));
   }
   std::string Fault(const std::string& name, const std::string& text) {
-    try {
-      Read(name, text);
-    } catch (const ModelError& error) {
-      return error.what();
-    }
-    return "";
+    return test::ErrorOf<ModelError>([&] { Read(name, text); });
   }
   test::TemporaryFolder folder_;
 };

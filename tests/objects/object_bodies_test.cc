@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "mjcf/compile.h"
 #include "objects/prints.h"
+#include "tests/support/error_of.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
@@ -149,12 +150,9 @@ TEST_F(ObjectBodiesTest, RequireAPngOfAPoster) {
   EXPECT_NO_THROW(RequirePictures(std::vector<ObjectSpec>{{.kind = "poster", .image = png}}));
   for (const std::string& image :
        {std::string("/dev/zero"), folder.Write("cat.jpg", "JFIF").string()}) {
-    try {
-      RequirePictures(std::vector<ObjectSpec>{{}, {.kind = "poster", .image = image}});
-      ADD_FAILURE() << image;
-    } catch (const ModelError& error) {
-      EXPECT_EQ(error.what(), "objects.1.image: expected a PNG, got '" + image + "'");
-    }
+    const std::vector<ObjectSpec> objects{{}, {.kind = "poster", .image = image}};
+    EXPECT_EQ(test::ErrorOf<ModelError>([&] { RequirePictures(objects); }),
+              "objects.1.image: expected a PNG, got '" + image + "'");
   }
 }
 

@@ -10,11 +10,11 @@
 namespace understudy::test {
 
 // What the error of `run` says, "" when it throws none. Errors of users are one line.
-template <class F>
+template <class E = ConfigError, class F>
 std::string ErrorOf(F run) {
   try {
     run();
-  } catch (const ConfigError& e) {
+  } catch (const E& e) {
     const std::string what = e.what();
     EXPECT_EQ(what.find('\n'), std::string::npos) << what;
     return what;

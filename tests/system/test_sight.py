@@ -14,7 +14,7 @@ WALL = f"""<mujoco><worldbody>
   <geom type="plane" size="0 0 1"/>
   <geom type="box" size="0.1 1 0.5" pos="{FACE + 0.1} 0 0.5"/>
 </worldbody></mujoco>"""
-# The same as somebody scanned it: the floor, and of the wall what one sees from there.
+# A scan of the same: the floor, and the face of the wall.
 SCAN = f"""
 v -9 -9 0
 v 9 -9 0

@@ -4,6 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "tests/support/error_of.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/terrain/fixture.h"
 
@@ -49,12 +50,7 @@ class ScanTest : public TerrainTest {
     LoadFile(folder_.path() / "scan" / "scene.xml");
   }
   std::string Fault(const std::string& text = kRoom) {
-    try {
-      LoadScan(text);
-    } catch (const ModelError& error) {
-      return error.what();
-    }
-    return "";
+    return test::ErrorOf<ModelError>([&] { LoadScan(text); });
   }
   test::TemporaryFolder files_;
 };
@@ -93,6 +89,8 @@ TEST_F(ScanTest, MayBeFlat) {
   LoadScan("v 0 0 0\nv 3 0 0\nv 3 0 -3\nv 0 0 -3\nf 1 2 3 4\n");
   EXPECT_NEAR(Height(1, 1), 0, 1e-3);
   EXPECT_GE(mj_name2id(model_.get(), mjOBJ_GEOM, mjcf::kScanGround), 0);
+  LoadFile(folder_.path() / "scan" / "sight.xml");
+  EXPECT_EQ(model_->nmeshface, 2);
 }
 
 TEST_F(ScanTest, IsSeenAsItIsAndNotTouched) {
@@ -102,8 +100,7 @@ TEST_F(ScanTest, IsSeenAsItIsAndNotTouched) {
   ASSERT_GE(mesh, 0);
   EXPECT_EQ(model_->geom_contype[mesh], 0);
   EXPECT_EQ(mj_name2id(model_.get(), mjOBJ_GEOM, mjcf::kScanGround), -1);
-  // 10 triangles and the four of the little pyramid.
-  EXPECT_EQ(model_->nmeshface, 14);
+  EXPECT_EQ(model_->nmeshface, 10);
 }
 
 TEST_F(ScanTest, SaysWhatItsKeysShouldBe) {
@@ -112,6 +109,11 @@ TEST_F(ScanTest, SaysWhatItsKeysShouldBe) {
   spec_.scan.scale = 1;
   spec_.scan.pos = {0, 0, 5};
   EXPECT_THAT(Fault(), HasSubstr("begins at z = 5 m, above terrain.scan.height, 1 m"));
+  spec_.scan.pos = {0, 0, 0};
+  spec_.scan.cell = 0.01;
+  std::string slivers;
+  for (int i = 0; i < 2000; ++i) slivers += "v 0 0 0\nv 190 0 0\nv 0 0 190\nf -3 -2 -1\n";
+  EXPECT_THAT(Fault(slivers), HasSubstr("terrain.scan.cell: its surfaces would be sampled"));
   spec_.scan.quat = {0, 0, 0, 0};
   EXPECT_THAT(Fault(), HasSubstr("terrain.scan.quat"));
 }
