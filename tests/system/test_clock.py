@@ -111,6 +111,18 @@ def test_a_pace_and_priority_change_nothing(understudy, tmp_path):
     assert fast == run_on_clock(understudy, tmp_path, "looking", *LOOKING)
 
 
+def test_who_starts_it_changes_nothing(understudy, request, runtime_dir, tmp_path):
+    owner = run_on_clock(understudy, tmp_path, "owner")
+    as_nobody = request.getfixturevalue("as_nobody")  # who has the folder of control sockets from now on
+    recording = runtime_dir / "nobodys.mcap"
+    words = ["exec", "go2", *CLOCK, "--released", "--record", recording, "--", *holds_pose(2)]
+    done = subprocess.run([*as_nobody, os.environ["UNDERSTUDY"], *map(str, words)], capture_output=True, text=True,
+                          timeout=120, check=False)
+
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert messages(recording) == owner
+
+
 def test_a_childs_sleep_of_a_minute_takes_seconds(understudy):
     starts = "import subprocess, time; begun = time.time(); subprocess.run(['sleep', '60']); print(time.time() - begun)"
     began = time.monotonic()

@@ -35,6 +35,12 @@ Words Joined(Words words, const Words& more) {
   return words;
 }
 
+// Empty without a file.
+std::string FileText(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 // A thread on each core, until this goes. The network is that of the thread that makes it.
 class Disturbance {
  public:
@@ -68,6 +74,7 @@ class Meter {
   Meter(std::string understudy, const ClockedProgram& program)
       : understudy_(std::move(understudy)), program_(program) {}
 
+  bool released() const { return program_.released || program_.command.empty(); }
   // The command, or the C client for so many seconds.
   Words Command(double seconds) const {
     return program_.command.empty() ? Words{HOLDS_POSE, Printed("%g", seconds)} : program_.command;
@@ -80,8 +87,7 @@ class Meter {
     const int code =
         RunToEnd(Joined({"/bin/sh", "-c", "exec \"$@\" 2> \"$0\"", log, understudy_}, words));
     const double wall = std::chrono::duration<double>(steady_clock::now() - begun).count();
-    std::ifstream file(log);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = FileText(log);
     const std::string mark = " has left the network after ";
     const std::size_t at = text.find(mark);
     if (code != 0 || at == std::string::npos) {
@@ -97,7 +103,8 @@ class Meter {
   }
   Words Exec(const Words& command) const {
     Words words = {"exec", program_.robot, "--clock", "simulated", "--log-level", "info"};
-    if (program_.command.empty()) words.emplace_back("--released");
+    if (released()) words.emplace_back("--released");
+    if (!program_.script.empty()) words.insert(words.end(), {"--script", program_.script});
     words.emplace_back("--");
     return Joined(words, command);
   }
@@ -107,9 +114,9 @@ class Meter {
     const std::string file = folder_.path() / "clocked.yaml";
     std::ofstream(file) << "scenario: A program on the clock\nrobot: " << program_.robot
                         << "\nclock: simulated\nprogram: {limit: 600}\n"
-                        << (program_.command.empty() ? "settings: {motion: {service: none}}\n" : "")
+                        << (released() ? "settings: {motion: {service: none}}\n" : "")
                         << "expect: [{final: program.exit_code is 0}]\n"
-                        << more;
+                        << FileText(program_.script) << more;
     return file;
   }
 

@@ -20,6 +20,8 @@ struct ClockEffort {
 struct ClockedProgram {
   std::string robot = "go2";
   std::vector<std::string> command;  // empty: the C client
+  bool released = false;             // without a motion service, as the C client has it
+  std::string script;                // file of what happens meanwhile; empty: nothing
   double times = 15;                 // simulated s per s that are wanted
 };
 

@@ -95,6 +95,9 @@ int Main(int argc, char** argv) {
                "Only programs on the simulated clock: the C client of the tests, or the command "
                "after --");
   app.add_option("--times", program.times, "Simulated s per s that are wanted of it [15]");
+  app.add_flag("--released", program.released, "Without a motion service");
+  app.add_option("--script", program.script, "What happens meanwhile, as for `understudy exec`")
+      ->check(CLI::ExistingFile);
   app.add_option("command", program.command, "A program for --clock, and its arguments, after --")
       ->type_name("CMD...");
   app.add_option("--helper", helper)->group("");  // this program as its own other end
