@@ -7,6 +7,7 @@
 #include <dds/ddsi/ddsi_cdrstream.h>
 #include <dds/ddsi/ddsi_serdata.h>
 
+#include "bus/now.h"
 #include "bus/qos.h"
 
 namespace understudy::bus {
@@ -16,13 +17,45 @@ constexpr std::size_t kHead = 4;  // bytes at the front of a message that name i
 
 }  // namespace
 
+// Cyclone calls it once for each sample, never twice at a time for one reader.
+struct CdrReader::Listener {
+  static void OnArrival(dds_entity_t, void* arrivals) {
+    auto* const to = static_cast<Arrivals*>(arrivals);
+    const std::uint64_t number = to->count.fetch_add(1, std::memory_order_acq_rel);
+    Arrival* const arrival = to->ring.Claim();
+    if (arrival == nullptr) return;
+    *arrival = {.number = number, .time = Now().count()};
+    to->ring.Commit();
+  }
+  static std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)> To(Arrivals* arrivals) {
+    std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)> listener(
+        dds_create_listener(arrivals), &dds_delete_listener);
+    dds_lset_data_available(listener.get(), &OnArrival);
+    return listener;
+  }
+};
+
 CdrReader::CdrReader(const Participant& participant, const std::string& topic,
                      const dds_topic_descriptor& descriptor)
     : topic_(dds_create_topic(participant.handle(), &descriptor, topic.c_str(), nullptr, nullptr),
              "create topic " + topic),
       reader_(dds_create_reader(participant.subscriber(), topic_.handle(),
-                                ReaderQos({.depth = kKeepAll}).get(), nullptr),
+                                ReaderQos({.depth = kKeepAll}).get(),
+                                Listener::To(arrivals_.get()).get()),
               "read topic " + topic) {}
+
+// Now, where it is not noted yet or there was no room.
+std::int64_t CdrReader::ArrivalOfNext() {
+  const std::uint64_t number = taken_++;
+  const Arrival* arrival = arrivals_->ring.Front();
+  for (; arrival != nullptr && arrival->number < number; arrival = arrivals_->ring.Front()) {
+    arrivals_->ring.Pop();
+  }
+  if (arrival == nullptr || arrival->number != number) return Now().count();
+  const std::int64_t time = arrival->time;
+  arrivals_->ring.Pop();
+  return time;
+}
 
 int CdrReader::TakeSome(std::array<CdrSample, kAtOnce>* samples, int* valid) {
   std::array<ddsi_serdata*, kAtOnce> taken{};
@@ -30,7 +63,7 @@ int CdrReader::TakeSome(std::array<CdrSample, kAtOnce>* samples, int* valid) {
   const int count =
       dds_takecdr(reader_.handle(), taken.data(), kAtOnce, infos.data(), DDS_ANY_STATE);
   for (std::size_t i = 0; std::cmp_less(i, count); ++i) {
-    CdrSample sample(taken[i], infos[i].publication_handle);
+    CdrSample sample(taken[i], infos[i].publication_handle, ArrivalOfNext());
     if (infos[i].valid_data) (*samples)[static_cast<std::size_t>((*valid)++)] = std::move(sample);
   }
   return count;

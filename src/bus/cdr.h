@@ -2,13 +2,17 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/spsc_ring.h"
 #include "bus/cdr_sample.h"
 #include "bus/participant.h"
 #include "bus/reader.h"
@@ -45,10 +49,25 @@ class CdrReader {
 
  private:
   static constexpr std::size_t kAtOnce = 32;
+  static constexpr std::size_t kArrivals = 1024;  // *assumed*: more than arrive between two takes
+
+  // When samples arrived, noted by the thread that receives them.
+  struct Arrival {
+    std::uint64_t number;  // of the reader's samples
+    std::int64_t time;     // ns since 1970
+  };
+  struct Arrivals {
+    SpscRing<Arrival> ring{kArrivals};
+    std::atomic<std::uint64_t> count{0};
+  };
+  struct Listener;
 
   // Returns how many samples it took; sets `valid` to how many of them are messages.
   int TakeSome(std::array<CdrSample, kAtOnce>* samples, int* valid);
+  std::int64_t ArrivalOfNext();
 
+  std::unique_ptr<Arrivals> arrivals_ = std::make_unique<Arrivals>();
+  std::uint64_t taken_ = 0;  // samples
   Entity topic_;
   Entity reader_;
 };

@@ -7,8 +7,10 @@
 
 namespace understudy::bus {
 
-CdrSample::CdrSample(ddsi_serdata* owned, WriterHandle writer)
-    : serdata_(owned), source_time_(owned->timestamp.v), writer_(writer) {
+CdrSample::CdrSample(ddsi_serdata* owned, WriterHandle writer, std::int64_t arrived)
+    : serdata_(owned),
+      source_time_(owned->timestamp.v > 0 ? owned->timestamp.v : arrived),
+      writer_(writer) {
   ddsrt_iovec_t bytes{};
   ddsi_serdata_to_ser_ref(owned, 0, ddsi_serdata_size(owned), &bytes);
   bytes_ = {static_cast<const std::byte*>(bytes.iov_base), bytes.iov_len};

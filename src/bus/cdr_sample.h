@@ -18,7 +18,8 @@ using WriterHandle = std::uint64_t;
 class CdrSample {
  public:
   CdrSample() = default;
-  CdrSample(ddsi_serdata* owned, WriterHandle writer);
+  // `arrived`: source_time() of a message without a timestamp.
+  CdrSample(ddsi_serdata* owned, WriterHandle writer, std::int64_t arrived = 0);
   CdrSample(CdrSample&& other) noexcept { *this = std::move(other); }
   CdrSample& operator=(CdrSample&& other) noexcept;
   ~CdrSample();
@@ -26,7 +27,8 @@ class CdrSample {
   // The four bytes of the encoding (00 01: little-endian XCDR1), then the message. Empty if default
   // constructed or moved from.
   std::span<const std::byte> bytes() const { return bytes_; }
-  // The source timestamp: when it was written, by the writer's clock; ns since 1970.
+  // The source timestamp: when it was written, by the writer's clock; ns since 1970. Of a writer
+  // that sends none, as RustDDS's, when it arrived, or 0 if that is not known.
   std::int64_t source_time() const { return source_time_; }
   WriterHandle writer() const { return writer_; }
   // Null if bytes() is empty.

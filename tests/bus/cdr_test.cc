@@ -1,12 +1,14 @@
 // Tests reading and writing serialized messages.
 #include "bus/cdr.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 
 #include "bus/discovery.h"
+#include "bus/now.h"
 #include "bus/reader.h"
 #include "bus/writer.h"
 #include "tests/bus/stranger.h"
@@ -74,6 +76,27 @@ TEST(CdrReaderTest, TellsWhoseAMessageIs) {
     is_ours.push_back(reader.ParticipantOf(sample.writer()) == ours.key());
   });
   EXPECT_THAT(is_ours, ElementsAre(false, true));
+}
+
+TEST(CdrReaderTest, HasTheTimeOfArrivalOfMessagesWithoutATimestamp) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  CdrReader reader(ours, kTopic.name, *kTopic.descriptor);
+  const Stranger stranger(domain);
+  const Entity theirs = stranger.Writes(kTopic.name);
+  std::string text = "hey";
+  const Hello hello{.userID = 7, .message = text.data()};
+  std::vector<std::int64_t> between = {Now().count()};
+  for (const dds_time_t stamp : {0, 0, 5}) {
+    ASSERT_EQ(dds_write_ts(theirs.handle(), &hello, stamp), DDS_RETCODE_OK);
+    between.push_back(Now().count());
+  }
+  std::vector<std::int64_t> times;
+  reader.Take([&](const CdrSample& sample) { times.push_back(sample.source_time()); });
+  ASSERT_THAT(times, SizeIs(3));
+  EXPECT_TRUE(between[0] <= times[0] && times[0] <= between[1]);
+  EXPECT_TRUE(between[1] <= times[1] && times[1] <= between[2]);
+  EXPECT_EQ(times[2], 5);
 }
 
 TEST(CdrReaderTest, DoesNotTellThatAWriterHasGone) {

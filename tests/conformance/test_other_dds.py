@@ -3,6 +3,7 @@
 import math
 import os
 import pathlib
+import subprocess
 
 import pytest
 
@@ -28,3 +29,14 @@ def test_a_program_on_another_dds_reads_all_states_and_stands_a_go2_up(rehearse,
     assert off < plan.STAND_TOLERANCE
     assert math.isclose(math.hypot(*told["quaternion"]), 1, abs_tol=1e-3)
     assert (told["soc"], round(told["power_v"])) == (90, 31)
+
+
+def test_on_a_simulated_clock_it_says_the_same_twice(tmp_path):
+    scenario = tmp_path / "stands_up.yaml"
+    scenario.write_text("scenario: a program on another DDS\nrobot: go2\nclock: simulated\nprogram: {limit: 120}\n"
+                        "settings: {motion: {service: none}}\nexpect:\n  - {final: program.exit_code is 0}\n")
+    done = subprocess.run([os.environ["UNDERSTUDY"], "rehearse", scenario, "--twice", "--no-pictures", "--", PROGRAM],
+                          cwd=tmp_path, capture_output=True, text=True, timeout=200)
+
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "clock: simulated, repeatable: yes" in done.stdout
