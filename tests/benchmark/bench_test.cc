@@ -60,6 +60,18 @@ TEST(BenchTest, GivesTheSpeedOfRehearsalsOnItsOwn) {
   EXPECT_GT(figures[1].at("measured"), 1);
 }
 
+TEST(BenchTest, GivesWhatRaysAndPicturesTake) {
+  const auto figures = nlohmann::json::parse(OutputOf(BENCH " --perception --brief --json"))
+                           .at("figures")
+                           .get<std::vector<nlohmann::json>>();
+  std::vector<double> wanted;
+  for (const auto& figure : figures) {
+    EXPECT_THAT(figure.at("measured").get<double>(), testing::AllOf(Gt(0), Lt(1e5))) << figure;
+    if (figure.at("unit") == "/s") wanted.push_back(figure.at("at_least"));
+  }
+  EXPECT_THAT(wanted, testing::ElementsAre(14, 5));
+}
+
 TEST(BenchTest, GivesWhatABatchKeepsOfMujocosSpeed) {
   const auto figures = nlohmann::json::parse(OutputOf(BENCH " --batch --brief --json"))
                            .at("figures")

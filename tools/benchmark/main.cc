@@ -18,6 +18,7 @@
 #include "figure.h"
 #include "latency.h"
 #include "perception.h"
+#include "pictures.h"
 #include "rehearsals.h"
 #include "stepping.h"
 #include "walking.h"
@@ -33,6 +34,7 @@ struct Effort {
   double walk = 8;          // simulated s
   int rehearsals = 1000;
   int clouds = 200;
+  double pictures = 10;  // s
   ClockEffort clock{};
   BatchEffort batch{};
 };
@@ -44,6 +46,7 @@ constexpr Effort kBrief = {
     .walk = 1,
     .rehearsals = 4,
     .clouds = 2,
+    .pictures = 1,
     .clock = {.seconds = 2, .speeds = 1, .pairs = 1, .flooded = 1, .rehearsals = 2},
     .batch = {.robots = 4, .rounds = 1}};
 
@@ -87,7 +90,8 @@ int Main(int argc, char** argv) {
   app.add_flag("--rehearsals", only_rehearsals, "Only how fast a campaign of rehearsals goes");
   app.add_flag("--further", only_further, "Only what a further robot in one world takes");
   app.add_flag("--stepping", only_stepping, "Only the daemon against bare MuJoCo");
-  app.add_flag("--perception", only_perception, "Only what a lidar's rays take");
+  app.add_flag("--perception", only_perception,
+               "Only what a lidar's rays and a camera's pictures take");
   app.add_flag("--batch", only_batch, "Only what robots side by side take in one process");
   app.add_option("--understudy", understudy, "The program to measure [the one beside this]")
       ->check(CLI::ExistingFile);
@@ -122,12 +126,15 @@ int Main(int argc, char** argv) {
       !only_stepping) {
     figures = MeasurePerception(effort.clouds);
   }
-  if (only_perception) return print();
   if (only_batch) {
     figures = MeasureBatch(effort.batch);
     return print();
   }
   exec::EnterPrivateNetwork();
+  if (only_perception) {
+    add(MeasurePictures(understudy, effort.pictures));
+    return print();
+  }
   if (only_stepping) {
     for (const Doing& one : kDoings) add(MeasureBoth(understudy, one, effort.rounds));
     return print();

@@ -56,6 +56,7 @@ class Daemon {
          const std::vector<std::string>& options, const std::string& name = "");
 
   const Process& process() const { return process_; }
+  const std::filesystem::path& socket() const { return socket_; }  // of its control
   // Waits until it says so. Throws std::runtime_error after 20 s.
   void AwaitReady() const;
   // A request by its path. Throws std::runtime_error where it is refused.
