@@ -133,6 +133,19 @@ TEST_F(Go2MotionTest, SitsAndGreetsAfterStandUpAlone) {
   }
 }
 
+TEST_F(Go2MotionTest, RisesOutOfASitThatItIsStillOnItsWayTo) {
+  rig_.BalanceStand();
+  EXPECT_EQ(rig_.Ask(goal::Sit{}), authority::MotionVerdict::kTaken);
+  rig_.Run(0.5);
+  EXPECT_EQ(rig_.Ask(goal::Gesture{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::RiseSit{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.state().id, kSit) << "it sits first";
+  EXPECT_EQ(rig_.state().mode, 10);
+  EXPECT_TRUE(rig_.RunUntil(kGesture, 3)) << "it rises";
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kTaken);
+  EXPECT_TRUE(rig_.RunUntil(kCrouch, 4)) << "it stands, and lies down";
+}
+
 TEST_F(Go2MotionTest, DoesInAPostureWhatThatAllows) {
   const authority::MotionGoal kSpecial[] = {goal::Gesture{}, goal::Sit{}, goal::Pose{},
                                             goal::Euler{1}, goal::BodyHeight{1}};
