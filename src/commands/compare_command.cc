@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "commands/commands.h"
+#include "commands/cut_short.h"
 #include "ctl/check.h"
 #include "record/output_file.h"
 #include "rehearse/compare.h"
@@ -22,13 +23,10 @@ constexpr double kLongestShift = 1e9;  // s; longer than any recording
 int CompareCommand(const CompareArguments& arguments) {
   const auto first = record::OpenRecording(arguments.first);
   const auto second = record::OpenRecording(arguments.second);
-  for (const record::RecordingReader* reader : {first.get(), second.get()}) {
-    if (reader->contents().cut_short.empty()) continue;
-    std::fprintf(stderr, "%s was cut short: %s\n", reader->path().c_str(),
-                 reader->contents().cut_short.c_str());
-  }
   const rehearse::Differences comparison = rehearse::Compare(
       *first, *second, arguments.shifted ? std::optional(arguments.shift) : std::nullopt);
+  TellCutShort(*first);
+  TellCutShort(*second);
   std::fputs((arguments.json ? CompareJson(comparison) : CompareText(comparison)).c_str(), stdout);
   if (arguments.out.empty()) return 0;
   record::OutputFile(arguments.out, true).Write(record::AsBytes(CompareHtml(comparison)));

@@ -158,9 +158,8 @@ int PlayCommand(const PlayArguments& arguments) {
   const bool terminal = isatty(STDERR_FILENO) == 1 && !arguments.json;
   StartLog({.level = "info", .json = arguments.json, .status_line = terminal});
   CatchStopSignals();
-  if (!reader.contents().cut_short.empty()) {
-    spdlog::warn("the recording was cut short: {}", reader.contents().cut_short);
-  }
+  const std::string known = reader.contents().cut_short;
+  if (!known.empty()) spdlog::warn("the recording was cut short: {}", known);
 
   // Network: a robot for the commands, or no other robot.
   const std::int64_t since =
@@ -199,6 +198,9 @@ int PlayCommand(const PlayArguments& arguments) {
     return true;
   });
   // Report.
+  if (reader.contents().cut_short != known) {
+    spdlog::warn("the recording was cut short: {}", reader.contents().cut_short);
+  }
   for (const bus::CycloneNotice& notice : bus::TakeCycloneNotices()) {
     spdlog::warn("Cyclone DDS: {}", notice.text());
   }

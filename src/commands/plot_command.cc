@@ -8,6 +8,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "commands/commands.h"
+#include "commands/cut_short.h"
 #include "ctl/check.h"
 #include "record/csv.h"
 #include "record/plot.h"
@@ -97,14 +98,14 @@ int PlotCommand(PlotArguments arguments) {
   const record::RecordingReader& first = *opened;
   const auto second = arguments.second.empty() ? nullptr : record::OpenRecording(arguments.second);
   const record::RecordingReader* const other = second.get();
-  for (const record::RecordingReader* reader : {&first, other}) {
-    if (reader == nullptr || reader->contents().cut_short.empty()) continue;
-    std::fprintf(stderr, "%s was cut short: %s\n", reader->path().c_str(),
-                 reader->contents().cut_short.c_str());
-  }
+  const auto tell = [&] {
+    TellCutShort(first);
+    if (other != nullptr) TellCutShort(*other);
+  };
   if (IsTable(arguments)) {
     const std::filesystem::path table = OutOf(arguments, ".csv");
     WriteCsv(first, other, arguments.shift, options.what, table);
+    tell();
     std::printf("%s\n", table.c_str());
     return 0;
   }
@@ -115,6 +116,7 @@ int PlotCommand(PlotArguments arguments) {
   record::WritePicture(other != nullptr ? record::MakePage(first, *other, arguments.shift, options)
                                         : record::MakePage(first, options),
                        picture);
+  tell();
   std::printf("%s\n", picture.c_str());
   return 0;
 }

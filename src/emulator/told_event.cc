@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -150,30 +151,34 @@ std::optional<ToldEvent> EventDigest::Take(const ToldEvent& told, double now) {
   }
   if (cause == causes_.end() && causes_.size() >= kMostCauses) {
     std::erase_if(causes_, [&](const Cause& known) {
-      return known.held.count == 0 && now >= known.told_at + period_;
+      return known.held.count == 0 && now >= known.told_at + known.wait;
     });
     // The network is untrusted: causes beyond the bound count as the last one.
     cause = causes_.size() < kMostCauses ? causes_.end() : causes_.end() - 1;
   }
   if (cause == causes_.end()) {
-    causes_.push_back({.held = {.event = event, .count = 0}, .told_at = now});
+    causes_.push_back({.held = {.event = event, .count = 0}, .told_at = now, .wait = period_});
     return told;
   }
+  const bool goes_on = cause->held.count > 0;
   Add(told, &cause->held);
-  if (now < cause->told_at + period_) return std::nullopt;
-  const ToldEvent all = cause->held;
-  cause->held.count = 0;
+  if (now < cause->told_at + cause->wait) return std::nullopt;
+  return Tell(now, goes_on, &*cause);
+}
+
+ToldEvent EventDigest::Tell(double now, bool goes_on, Cause* cause) const {
+  const EventKind kind = cause->held.event.kind;
+  const bool grows = kind == EventKind::kRefused || kind == EventKind::kCallRefused;
+  cause->wait = grows && goes_on ? std::max(std::min(2 * cause->wait, longest_), period_) : period_;
   cause->told_at = now;
-  return all;
+  return {.event = cause->held.event, .count = std::exchange(cause->held.count, 0)};
 }
 
 std::vector<ToldEvent> EventDigest::Due(double now) {
   std::vector<ToldEvent> due;
   for (Cause& cause : causes_) {
-    if (cause.held.count == 0 || now < cause.told_at + period_) continue;
-    due.push_back(cause.held);
-    cause.held.count = 0;
-    cause.told_at = now;
+    if (cause.held.count == 0 || now < cause.told_at + cause.wait) continue;
+    due.push_back(Tell(now, true, &cause));
   }
   return due;
 }

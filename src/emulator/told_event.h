@@ -41,7 +41,9 @@ class EventDigest {
   // Of these, calls by ids that no service has; *assumed*.
   static constexpr std::ptrdiff_t kMostUnknownCalls = 8;
 
-  explicit EventDigest(double period) : period_(period) {}  // s, of the clock that `now` is of
+  // In s of the clock that `now` is of. While refusals of one cause go on, those after the first
+  // are reported after twice the time each, up to `longest`.
+  explicit EventDigest(double period, double longest = 0) : period_(period), longest_(longest) {}
 
   // Returns what is to be reported at once; otherwise keeps it. `now` never decreases.
   std::optional<ToldEvent> Take(const ToldEvent& told, double now);
@@ -55,10 +57,13 @@ class EventDigest {
  private:
   struct Cause {
     ToldEvent held;  // count 0 if there is none
-    double told_at = 0;
+    double told_at = 0, wait = 0;
   };
 
-  double period_;
+  // What is held, which is then told. `goes_on`: since the last report, too.
+  ToldEvent Tell(double now, bool goes_on, Cause* cause) const;
+
+  double period_, longest_;
   std::vector<Cause> causes_;
 };
 

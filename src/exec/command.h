@@ -29,8 +29,8 @@ int ExitCodeOfFailedExec(int error);
 
 // Returns the path of a program: `name` itself if it has a slash, else the first executable file of
 // that name in the folders of `search_path` (separated by colons; an empty one is the current
-// folder). The result always has a slash. Throws CommandError: no file of that name (127), or none
-// that is executable (126).
+// folder). The result always has a slash. Throws CommandError: no file of that name, or it is a
+// script whose interpreter is not there (127), or none that is executable (126).
 std::string FindProgram(const std::string& name, const std::string& search_path);
 
 }  // namespace understudy::exec

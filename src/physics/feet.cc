@@ -61,6 +61,12 @@ std::vector<std::vector<int>> FootGeoms(const mjModel& model, const mjData& data
   return feet;
 }
 
+std::string FeetRemedy(std::size_t foot) {
+  return "let its geoms collide (contype), or take the file that has their <pair>s, often a scene "
+         "beside the model; robot.feet." +
+         std::to_string(foot) + ".geoms names them";
+}
+
 std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec) {
   std::vector<int> foot_of_geom(static_cast<std::size_t>(model.ngeom), -1);
   const std::vector<std::vector<int>> feet = FootGeoms(model, data, spec);

@@ -1,6 +1,7 @@
 // Finds the geoms of the feet.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ std::vector<int> LowestGeoms(const mjModel& model, const mjData& data,
 // within 1 cm of the lowest point count. `data` has the kinematics at joint angles 0.
 std::vector<std::vector<int>> FootGeoms(const mjModel& model, const mjData& data,
                                         const robot::RobotSpec& spec);
+
+// What helps a foot without geoms, the one of that index in spec.feet.
+std::string FeetRemedy(std::size_t foot);
 
 // Returns for each geom of the model the index of its foot (FootGeoms), or -1.
 std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec);

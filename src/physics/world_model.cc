@@ -121,6 +121,18 @@ class NameCheck {
   std::string file_;
 };
 
+// Refuses the model of another robot, such as an arm's for a robot with legs.
+void RequireSameRobot(const robot::RobotSpec& spec, const NameCheck& check) {
+  const auto moves = [&](const robot::MotorSpec& motor) {
+    return check.Has(mjOBJ_JOINT, motor.joint);
+  };
+  if (check.Has(mjOBJ_BODY, spec.base_body) || std::ranges::any_of(spec.motors, moves)) return;
+  check.Refuse("no model of a '" + spec.name + "': it has neither its base body '" +
+               spec.base_body + "' nor any of its " + std::to_string(spec.motors.size()) +
+               " motors' joints. Name the robot that it is (understudy robots), or describe one of "
+               "your own (docs/own_robot.md)");
+}
+
 void RequireBase(const mjModel& model, const robot::RobotSpec& spec, const NameCheck& check) {
   check.Require(mjOBJ_BODY, "base body", spec.base_body, "robot.base_body");
   const int base = mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str());
@@ -154,6 +166,7 @@ void RequireFeet(const robot::RobotSpec& spec, const NameCheck& check) {
 
 void RequireWhatSpecNames(const mjModel& model, const robot::RobotSpec& spec,
                           const NameCheck& check) {
+  RequireSameRobot(spec, check);
   RequireBase(model, spec, check);
   RequireMotors(model, spec.motors, "robot.motors", check);
   for (std::size_t i = 0; i < spec.hands.size(); ++i) {
@@ -194,10 +207,8 @@ void NoteFeet(const mjModel& model, const robot::RobotSpec& spec, LoadNotes* not
     }
     const std::string& name = spec.feet[foot].name;
     notes->warnings.push_back(
-        count == 0 ? "foot " + name +
-                         ": the model has none of its geoms, so it feels no force; "
-                         "name them in robot.feet." +
-                         std::to_string(foot) + ".geoms"
+        count == 0 ? "foot " + name + ": the model has none of its geoms, so it feels no force; " +
+                         FeetRemedy(foot)
                    : "foot " + name + ": " + std::to_string(count) + " geom" +
                          (count == 1 ? "" : "s") + " of body '" + body + "', the lowest there");
   }

@@ -140,6 +140,7 @@ void BagFolder::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& 
       more = visit(contents_.channels.at(message.channel_id), message);
       return more;
     });
+    if (contents_.cut_short.empty()) contents_.cut_short = part.reader->contents().cut_short;
   }
 }
 

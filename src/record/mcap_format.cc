@@ -58,7 +58,7 @@ std::vector<std::byte> UnpackChunk(ByteSpan content) {
     const std::size_t unpacked =
         ZSTD_decompress(records.data(), records.size(), packed.data(), packed.size());
     if (ZSTD_isError(unpacked) != 0) {
-      throw RecordError(std::string("a chunk does not unpack: ") + ZSTD_getErrorName(unpacked));
+      throw ChunkDamage(std::string("a chunk does not unpack: ") + ZSTD_getErrorName(unpacked));
     }
     records.resize(unpacked);
   } else {
@@ -66,10 +66,10 @@ std::vector<std::byte> UnpackChunk(ByteSpan content) {
                       "; expected zstd or none (`mcap compress` of the MCAP project converts)");
   }
   if (records.size() != size) {
-    throw RecordError("a chunk unpacks to " + std::to_string(records.size()) + " bytes, not " +
+    throw ChunkDamage("a chunk unpacks to " + std::to_string(records.size()) + " bytes, not " +
                       std::to_string(size));
   }
-  if (crc != 0 && Crc32(records) != crc) throw RecordError("a chunk's checksum is wrong");
+  if (crc != 0 && Crc32(records) != crc) throw ChunkDamage("a chunk's checksum is wrong");
   return records;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/errors.h"
 #include "record/bytes.h"
 
 namespace understudy::record {
@@ -72,8 +73,14 @@ McapMessage TakeMessage(BytesIn* in);  // its data points into what `in` reads
 McapSchema TakeSchema(BytesIn* in);
 McapChannel TakeChannel(BytesIn* in);
 
-// Returns the records of a chunk. Throws RecordError if the chunk is too large, has another
-// compression than zstd or none, or a wrong size or checksum.
+// A chunk that is not as it was written: its checksum or its size are wrong, or it does not unpack.
+class ChunkDamage : public RecordError {
+ public:
+  using RecordError::RecordError;
+};
+
+// Returns the records of a chunk. Throws ChunkDamage, and RecordError if the chunk is too large or
+// has another compression than zstd or none.
 std::vector<std::byte> UnpackChunk(ByteSpan content);
 
 }  // namespace understudy::record

@@ -291,6 +291,10 @@ void McapReader::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit&
       if (!tell(chunk.offset, BytesIn(record.content))) return;
       continue;
     }
+    if (record.op == McapOp{}) {
+      LeaveOut(chunk.offset, "zeros where a chunk was");
+      continue;
+    }
     if (record.op != McapOp::kChunk) Fail(chunk.offset, "expected a chunk");
     if (chunk.size != 0 && chunk.size < kMcapRecordHead + record.content.size()) {
       Fail(chunk.offset, "the chunk is larger than its index says");
@@ -304,11 +308,20 @@ void McapReader::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit&
         const BytesIn content(in.TakeRaw(in.Take<std::uint64_t>()));
         if (op == McapOp::kMessage && !tell(chunk.offset, content)) return;
       }
+    } catch (const ChunkDamage& damage) {
+      LeaveOut(chunk.offset, damage.what());
     } catch (const RecordError& error) {
       if (std::string_view(error.what()).starts_with(path().string())) throw;
       Fail(chunk.offset, error.what());
     }
   }
+}
+
+// Keeps the first reason.
+void McapReader::LeaveOut(std::uint64_t offset, const std::string& why) const {
+  if (!contents_.cut_short.empty()) return;
+  contents_.cut_short = path().string() + ": at byte " + std::to_string(offset) + ": " + why +
+                        "; what it held is left out";
 }
 
 std::vector<std::byte> McapReader::ReadAttachment(std::string_view name) const {

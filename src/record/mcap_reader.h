@@ -13,11 +13,11 @@
 
 namespace understudy::record {
 
-// Files may be damaged. A file that is not MCAP, a wrong length or checksum, or a chunk larger than
-// it says throws RecordError with file and offset, and so does a file that lets little be read
-// again and again: overlapping chunks, more metadata than file, more unpacked than a bound by its
-// size. A file without a complete summary, as a killed run leaves it, is scanned up to where it
-// ends.
+// Files may be damaged. A chunk that is (ChunkDamage) is left out, and contents().cut_short says
+// so. A file that is not MCAP, or a wrong length or checksum elsewhere, throws RecordError with
+// file and offset, and so does a file that lets little be read again and again: overlapping chunks,
+// more metadata than file, more unpacked than a bound by its size. A file without a complete
+// summary, as a killed run leaves it, is scanned up to where it ends.
 class McapReader final : public RecordingReader {
  public:
   explicit McapReader(std::filesystem::path file);
@@ -53,6 +53,7 @@ class McapReader final : public RecordingReader {
   void Note(const Record& record, bool in_summary);
   void NoteInChunk(std::uint64_t offset, const std::vector<std::byte>& records, Chunk* chunk);
   void NoteMessage(const McapMessage& message, Chunk* chunk);
+  void LeaveOut(std::uint64_t offset, const std::string& why) const;
   [[noreturn]] void Fail(std::uint64_t offset, const std::string& what) const;
 
   UniqueFd fd_;

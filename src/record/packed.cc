@@ -105,6 +105,7 @@ PackedFile::PackedFile(const std::filesystem::path& path,
 
 void PackedFile::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& visit) const {
   Tell([&] { inside_->ReadMessages(from, to, visit); });
+  contents_.cut_short = inside_->contents().cut_short;
 }
 
 void PackedFile::Tell(const std::function<void()>& read) const {

@@ -25,6 +25,8 @@ constexpr std::size_t kMarks = 1 << 16;
 constexpr std::size_t kSheets = 4;  // *assumed*
 // Topics that are looked at; *assumed*, several times those of a robot and its programs.
 constexpr std::size_t kMostTopics = 512;
+// Topics of other types that are named; *assumed*, more than a program's own.
+constexpr std::size_t kMostNamed = 8;
 // Frames are drawn and encoded where somebody reads them, which costs more than all else: they
 // would be for the recording alone.
 constexpr std::string_view kVideo = "unitree_go::msg::dds_::Go2FrontVideoData_";
@@ -172,6 +174,12 @@ void Recorder::Subscribe() {
       say_("no further topics are recorded: there are too many", true);
     if (found.type == kVideo) continue;
     const MessageType* type = FindMessageType(found.type);
+    if (type == nullptr && ++unknown_ > kMostNamed) {
+      if (unknown_ == kMostNamed + 1) {
+        say_("further topics whose types are none of the vendor's are not recorded", false);
+      }
+      continue;
+    }
     if (type == nullptr) {
       say_("topic " + found.topic + " is not recorded: its type " + found.type +
                " is none of the vendor's",

@@ -151,6 +151,7 @@ class Recorder {
   bus::ParticipantKey ours_;
   bus::EndpointWatch watch_;
   std::set<bus::TopicOnBus> seen_;
+  std::size_t unknown_ = 0;  // topics whose type is not known
   std::vector<Topic> topics_;
   Nanoseconds timestep_;
   std::uint64_t start_;  // ns since 1970

@@ -33,8 +33,9 @@ struct McapContents {
   std::uint64_t first_time = 0, last_time = 0;  // of log times; 0 without messages
   std::vector<McapAttachment> attachments{};
   std::map<std::string, StringMap> metadata{};
-  // "" for a complete recording; else why it ends early. Everything before that point can be read.
-  std::string cut_short{};
+  // "" for a complete recording; else why it ends early or what of it is left out. Everything else
+  // can be read. Of a finished file damage is found only when its messages are read.
+  mutable std::string cut_short{};
 };
 
 class RecordingReader {
@@ -52,7 +53,7 @@ class RecordingReader {
 
   // Calls visit(channel, message) with each message whose log time is in [from, to] (ns since 1970)
   // until visit returns false, in about the order of time: that of the file. The message's data is
-  // valid during the call. Throws RecordError.
+  // valid during the call. Leaves out what is damaged (cut_short). Throws RecordError.
   using Visit = std::function<bool(const McapChannel&, const McapMessage&)>;
   virtual void ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& visit) const = 0;
   void ReadMessages(const Visit& visit) const { ReadMessages(0, ~std::uint64_t{0}, visit); }

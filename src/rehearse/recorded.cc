@@ -1,5 +1,6 @@
 #include "rehearse/recorded.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -122,6 +123,7 @@ Recorded ReadRecorded(const record::RecordingReader& reader, double step) {
   std::map<std::string, std::vector<Reading>, std::less<>> by_topic;
   std::optional<std::uint64_t> begin;
   std::size_t steps = 0;  // that are over
+  double last = 0;        // s of the newest state, from the first
 
   const auto begin_topic = [&](const std::string& topic, const std::string& type) {
     const bool hg = type.starts_with("unitree_hg");
@@ -161,11 +163,12 @@ Recorded ReadRecorded(const record::RecordingReader& reader, double step) {
     const auto now = static_cast<std::size_t>(std::llround(at / step)) + 1;
     // Commands and battery are known while there are states.
     if (now > steps && topic != kState) return;
-    if (now > steps + static_cast<std::size_t>(kLongestGap / step)) {
-      throw RecordError(reader.path().string() + Printed(": at %.1f s its clock jumps by %.0f s",
-                                                         static_cast<double>(steps) * step,
-                                                         at - static_cast<double>(steps) * step));
+    // In s: a step is longer than that where the other recording's clock was set.
+    if (topic == kState && at - last > kLongestGap) {
+      throw RecordError(reader.path().string() +
+                        Printed(": at %.1f s its clock jumps by %.0f s", last, at - last));
     }
+    if (topic == kState) last = std::max(last, at);
     if (now > steps) fill_to(now);
     for (Reading& one : by_topic.find(topic)->second) {
       const auto value = record::ReadField(one.field, message.data);

@@ -35,8 +35,8 @@ class Reporter {
   void DrawStatusLine(const emulator::Status& status, WallTime now);
 
   emulator::EventRing::Reader events_;
-  emulator::EventDigest digest_{1.0};
-  emulator::EventDigest slowness_{60.0};  // s, *assumed*
+  emulator::EventDigest digest_{1.0, 10.0};  // s, *assumed*
+  emulator::EventDigest slowness_{60.0};     // s, *assumed*
   double expected_hz_;
   std::vector<std::string> names_;
   bool status_line_;

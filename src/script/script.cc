@@ -200,11 +200,11 @@ Script ReadEvents(const schema::YamlValue& list, const signals::Names& names) {
 }
 
 Script ReadScript(const schema::YamlValue& document, const signals::Names& names) {
-  const schema::YamlValue* list = document.Find(kScript);
-  if (list == nullptr) return ReadEvents(document, names);  // which says what was expected
   if (document.Find("scenario") != nullptr || document.Find("expect") != nullptr) {
     throw ConfigError(document.where + ": this is a scenario: understudy rehearse FILE");
   }
+  const schema::YamlValue* list = document.Find(kScript);
+  if (list == nullptr) return ReadEvents(document, names);  // which says what was expected
   for (const schema::YamlValue& key : document.keys) {
     if (key.text != kScript) {
       throw ConfigError(key.where + ": unknown key " + schema::Shown(key) +

@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/beast/core.hpp>
@@ -30,6 +31,8 @@ using Stream = boost::beast::basic_stream<boost::asio::generic::stream_protocol>
 class Connection : public SnapshotTaker, public std::enable_shared_from_this<Connection> {
  public:
   virtual void Begin() = 0;
+  // Ends what waits for the client; its place is another's.
+  virtual void GiveWay() {}
 };
 
 // The connections of one listening socket.
@@ -40,7 +43,23 @@ class Connections {
   Connections(const AccessRules* access, std::size_t most) : access_(access), most_(most) {}
 
   const AccessRules* access() const { return access_; }
-  bool full() const { return open_.size() >= most_; }
+  // Whether there is a place for one more. If all are taken, the one for whose client we have
+  // waited longest loses its own.
+  bool HasRoom() {
+    if (open_.size() >= most_ && !waiting_.empty()) {
+      const std::shared_ptr<Connection> oldest = open_.at(waiting_.front());
+      Remove(oldest.get());
+      oldest->GiveWay();
+    }
+    return open_.size() < most_;
+  }
+  // `connection` waits for its client from now on.
+  void Wait(Connection* connection) {
+    Work(connection);
+    if (open_.contains(connection)) waiting_.push_back(connection);
+  }
+  // `connection` waits for its client no longer.
+  void Work(Connection* connection) { std::erase(waiting_, connection); }
   // Whether the rest of the places is for clients with the token, and for short requests.
   bool crowded() const { return strangers_.size() >= most_ - most_ / 4; }
 
@@ -55,6 +74,7 @@ class Connections {
     Add(std::move(connection));
   }
   void Remove(Connection* connection) {
+    Work(connection);
     strangers_.erase(connection);
     open_.erase(connection);
   }
@@ -64,6 +84,7 @@ class Connections {
   std::size_t most_;
   std::unordered_map<Connection*, std::shared_ptr<Connection>> open_;
   std::unordered_set<Connection*> strangers_;  // of `open_`
+  std::vector<Connection*> waiting_;           // of `open_`, the longest wait first
 };
 
 // How often the server looks for new events; *assumed*: faster than visible.

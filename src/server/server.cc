@@ -71,10 +71,10 @@ class Acceptor {
         timer_.async_wait([this](const error_code&) { Accept(); });
         return;
       }
-      if (connections_.full()) {
-        Session::RefuseBusy(&socket);
-      } else {
+      if (connections_.HasRoom()) {
         connections_.Add(std::make_shared<Session>(std::move(socket), &connections_, shared_));
+      } else {
+        Session::RefuseBusy(&socket);
       }
       Accept();
     });

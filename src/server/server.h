@@ -37,7 +37,7 @@ struct ServerLimits {
 // A request is answered with 200 {"ok": true}, or {"error": "..."} and 400 if it cannot be read,
 // 401 or 403 if access is denied, 404 or 405 for a wrong path or method, 409 if the robot refuses,
 // 413 or 431 for a too large body or header, 503 if the tick does not take it in time or there are
-// too many clients.
+// too many clients, none of whom keeps the server waiting.
 class ControlServer {
  public:
   // Listens at `socket`, whose folder must exist (MakeControlFolder), and at `panel` unless that is

@@ -84,11 +84,15 @@ void Session::Read() {
   parser_->header_limit(static_cast<std::uint32_t>(shared_->limits.header_bytes));
   parser_->body_limit(shared_->limits.body_bytes);
   stream_.expires_after(shared_->limits.idle);
+  known_ = false;
+  connections_->Wait(this);
   http::async_read(stream_, buffer_, *parser_,
                    [self = Self()](const error_code& error, std::size_t) { self->OnRead(error); });
 }
 
 void Session::OnRead(const error_code& error) {
+  if (!stream_.socket().is_open()) return Leave();  // gave way, or was too slow
+  connections_->Work(this);
   if (error) {
     std::optional<HttpReply> reply = ReplyToBroken(error, shared_->limits);
     if (!reply) return Leave();
@@ -96,7 +100,9 @@ void Session::OnRead(const error_code& error) {
     return Write(std::move(*reply), false);
   }
   const HttpRequest request = RequestOf(parser_->get());
-  if (const AccessRules* access = connections_->access()) {
+  const AccessRules* access = connections_->access();
+  known_ = access == nullptr || HasToken(request, *access);
+  if (access != nullptr) {
     if (auto refusal = RefusalOf(request, *access)) return Write(std::move(*refusal), false);
   }
   try {
@@ -124,7 +130,7 @@ void Session::Answer(const HttpRequest& request) {
     return shared_->desk->Ask(*asked,
                               [self = Self()](const HttpReply& reply) { self->Write(reply); });
   }
-  Upgrade(routed, request);
+  Upgrade(routed);
 }
 
 void Session::AwaitSnapshot(const FromSnapshot& wanted) {
@@ -146,10 +152,8 @@ void Session::OnSnapshot(ShownSnapshot* shown) {
   Write(wanted.reply(shown->snapshot(), wanted.parts, shared_->plane));
 }
 
-void Session::Upgrade(const Routed& routed, const HttpRequest& request) {
-  const AccessRules* access = connections_->access();
-  const bool known = access == nullptr || HasToken(request, *access);
-  if (!known && connections_->crowded()) {
+void Session::Upgrade(const Routed& routed) {
+  if (!known_ && connections_->crowded()) {
     return Write(ErrorReply(503, "too many clients without the token watch"), false);
   }
   const std::shared_ptr<Session> self = Self();  // its list releases it here
@@ -157,7 +161,7 @@ void Session::Upgrade(const Routed& routed, const HttpRequest& request) {
   Leave();
   auto socket =
       MakeWebSocket(std::move(stream_), parser_->release(), routed, connections_, shared_);
-  known ? connections_->Add(std::move(socket)) : connections_->AddStranger(std::move(socket));
+  known_ ? connections_->Add(std::move(socket)) : connections_->AddStranger(std::move(socket));
 }
 
 void Session::Write(HttpReply reply) { Write(std::move(reply), parser_->get().keep_alive()); }
@@ -168,6 +172,7 @@ void Session::Write(HttpReply reply, bool keep_alive) {
   // The same header as for GET, with the length of the omitted body.
   if (parser_ && parser_->get().method() == http::verb::head) response_.body() = {};
   stream_.expires_after(shared_->limits.idle);
+  if (!known_) connections_->Wait(this);
   http::async_write(stream_, response_, [self = Self()](const error_code& error, std::size_t) {
     self->reply_ = {};
     if (error) return self->Leave();

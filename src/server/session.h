@@ -20,6 +20,7 @@ class Session : public Connection {
           Shared* shared);
 
   void Begin() override { Read(); }
+  void GiveWay() override { stream_.close(); }
   void OnSnapshot(ShownSnapshot* shown) override;
 
   // Writes a 503 reply, as far as possible without waiting.
@@ -31,7 +32,7 @@ class Session : public Connection {
   void OnRead(const boost::system::error_code& error);
   void Answer(const HttpRequest& request);
   void AwaitSnapshot(const FromSnapshot& wanted);
-  void Upgrade(const Routed& routed, const HttpRequest& request);
+  void Upgrade(const Routed& routed);
   void Write(HttpReply reply);
   void Write(HttpReply reply, bool keep_alive);
   void Forget();
@@ -43,6 +44,7 @@ class Session : public Connection {
   boost::beast::flat_buffer buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
   bool broken_ = false;  // the request was not read completely
+  bool known_ = false;   // the client may write
   HttpReply reply_;
   boost::beast::http::response<boost::beast::http::span_body<const char>> response_;
   boost::asio::steady_timer snapshot_timer_;

@@ -70,6 +70,20 @@ TEST_F(FindProgramTest, AnswersNotExecutableForAFolder) {
   EXPECT_EQ(CodeOf(In("one/folder"), ""), kExitNotExecutable);
 }
 
+TEST_F(FindProgramTest, AnswersNotFoundForAScriptWhoseInterpreterIsNotThere) {
+  for (const char* first : {"#!/nowhere/interpreter\n", "#! /nowhere/interpreter -x\n"}) {
+    folder_.Write("two/walk", first);
+    EXPECT_EQ(CodeOf(In("two/walk"), ""), kExitNotFound);
+    EXPECT_EQ(CodeOf("walk", In("two")), kExitNotFound);
+  }
+  for (const char* first : {"", "#", "#!", "#!/bin/sh -e\n",
+                            "\x7f"
+                            "ELF"}) {
+    folder_.Write("two/walk", first);
+    EXPECT_EQ(CodeOf(In("two/walk"), ""), 0) << first;
+  }
+}
+
 TEST_F(FindProgramTest, NamesTheFileAndTheReason) {
   try {
     FindProgram("walk", In("one"));

@@ -2,7 +2,6 @@
 // it rest longer.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -18,10 +17,7 @@ namespace {
 // does not grow.
 constexpr double kWhole = 300, kJoint = 0.02, kBase = 0.002;  // s, rad, m
 
-double Seconds() {
-  const char* const given = std::getenv("UNDERSTUDY_REST_SECONDS");
-  return given == nullptr ? 100 : std::stod(given);
-}
+double Seconds() { return RestSeconds(100); }
 
 double Share() { return Seconds() / kWhole; }
 

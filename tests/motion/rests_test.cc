@@ -1,5 +1,5 @@
 // Checks that a quadruped which is left in a posture rests there, most by nothing but dry friction.
-// Friction that yields let a hip creep by 0.33 rad.
+// Friction that yields let a hip creep by 0.33 rad. For 40 s, or as left_alone_test.cc says.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -17,8 +17,9 @@ namespace {
 
 constexpr double kSettle = 5;                    // s
 constexpr double kSinks = 30;                    // s in which a damped B2-W sinks
-constexpr double kSeconds = 40;                  // s
+constexpr double kUsual = 40, kWhole = 300;      // s
 constexpr double kJoint = 0.005, kBase = 0.005;  // rad, m
+constexpr double kCreep = 0.02;                  // rad in kWhole
 
 // Lets it settle, then expects that nothing moves.
 void ExpectRest(MotionRig* rig, double settle) {
@@ -26,9 +27,11 @@ void ExpectRest(MotionRig* rig, double settle) {
   const auto& body = rig->world().robot();
   const std::vector<double> q(body.q().begin(), body.q().end());
   const Eigen::Vector3d base = body.base().p_WB;
-  ASSERT_TRUE(rig->Run(kSeconds));
+  const double seconds = RestSeconds(kUsual);
+  ASSERT_TRUE(rig->Run(seconds));
+  const double joint = std::max(kJoint, kCreep * seconds / kWhole);
   for (std::size_t i = 0; i < q.size(); ++i) {
-    EXPECT_NEAR(body.q()[i], q[i], kJoint) << rig->spec().motors[i].joint;
+    EXPECT_NEAR(body.q()[i], q[i], joint) << rig->spec().motors[i].joint;
   }
   EXPECT_LT((body.base().p_WB - base).norm(), kBase);
 }

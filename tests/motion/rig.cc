@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 
 #include "assembly/make_world.h"
 #include "config/load.h"
@@ -21,6 +23,11 @@ config::Config ConfigOf(const std::string& robot, const std::vector<std::string>
 }
 
 std::filesystem::path FlatScene() { return kRoot / "models" / "scene" / "flat.xml"; }
+
+double RestSeconds(double usual) {
+  const char* const given = std::getenv("UNDERSTUDY_REST_SECONDS");
+  return given == nullptr ? usual : std::stod(given);
+}
 
 physics::MujocoWorld PhysicsOf(config::Config config, const std::filesystem::path& scene) {
   config.scene = scene;

@@ -25,6 +25,8 @@ using Verdict = authority::MotionVerdict;
 // One of config/robots with the settings ("KEY=VALUE") given.
 config::Config ConfigOf(const std::string& robot, const std::vector<std::string>& settings = {});
 std::filesystem::path FlatScene();
+// Simulated s for which robots are to rest: UNDERSTUDY_REST_SECONDS if set, else `usual`.
+double RestSeconds(double usual);
 // The robot of `config` in a scene, and nothing that moves it.
 physics::MujocoWorld PhysicsOf(config::Config config,
                                const std::filesystem::path& scene = FlatScene());

@@ -247,6 +247,18 @@ TEST_F(WorldModelTest, NamesWhatIsMissingItsKeyAndTheNearestThatIsThere) {
   }
 }
 
+TEST_F(WorldModelTest, SaysOfAnotherRobotsModelThatItIsOneAndNotWhatItLacksFirst) {
+  spec_.name = "go2";
+  spec_.base_body = "base_link";
+  EXPECT_THAT(Refusal(), HasSubstr("no base body 'base_link'")) << "it has the joint";
+  spec_.motors[0].joint = "FR_hip_joint";
+  EXPECT_THAT(Refusal(),
+              AllOf(HasSubstr("robot.xml: no model of a 'go2'"), HasSubstr("any of its 1 motors"),
+                    HasSubstr("own_robot.md"), Not(HasSubstr("robot.base_body"))));
+  spec_.base_body = "pelvis";
+  EXPECT_THAT(Refusal(), HasSubstr("no joint 'FR_hip_joint'")) << "it has the base";
+}
+
 TEST_F(WorldModelTest, TakesAnotherHandsNamesForWhatIsFittedAndSaysSo) {
   spec_.base_body = spec_.crane_body = "base_link";
   spec_.motors[0].joint = "knee";

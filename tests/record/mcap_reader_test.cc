@@ -152,6 +152,32 @@ TEST_F(McapReaderTest, LeavesOutAChunkThatAPowerCutDamaged) {
   EXPECT_THAT(MessagesOf(last), SizeIs(1));
 }
 
+// A bad sector of a disk.
+TEST_F(McapReaderTest, LeavesADamagedChunkOfAFinishedFileOutAndSaysSoOnceItIsRead) {
+  const std::string one = ChannelText() + MessageText(1, 1), two = MessageText(1, 2),
+                    three = MessageText(1, 3);
+  const auto file = [&](const std::string& amid) {
+    const std::string head = HeaderText() + ChunkText(one.size(), 0, "", one);
+    const std::string last = ChunkText(three.size(), 0, "", three);
+    const std::string summary = ChannelText() + ChunkIndexText(1, 1, HeaderText().size()) +
+                                ChunkIndexText(2, 2, head.size()) +
+                                ChunkIndexText(3, 3, head.size() + amid.size()) +
+                                StatisticsText(3, 1, 3);
+    const std::string data = head + amid + last;
+    return data + EndText(summary, data.size());
+  };
+  const std::string whole = ChunkText(two.size(), 0, "", two);
+  EXPECT_THAT(MessagesOf(McapReader(Holding(file(whole)))), SizeIs(3));
+  const std::string wrong = ChunkText(two.size(), 12345, "", two);
+  for (const std::string& amid : {wrong, std::string(wrong.size(), '\0')}) {
+    const McapReader reader(Holding(file(amid)));
+    EXPECT_EQ(reader.contents().cut_short, "") << "nobody has looked";
+    EXPECT_THAT(MessagesOf(reader), SizeIs(2));
+    EXPECT_THAT(reader.contents().cut_short, HasSubstr("what it held is left out"));
+  }
+  EXPECT_THAT(Reading(file(ChunkText(two.size(), 0, "lz4", two))), HasSubstr("packed with lz4"));
+}
+
 TEST_F(McapReaderTest, ReadsATimeOnly) {
   const std::vector<Kept> some = MessagesOf(McapReader(Written()), 104, 106);
   ASSERT_THAT(some, SizeIs(3));

@@ -1,6 +1,7 @@
 #include "record/recorder.h"
 
 #include <csignal>
+#include <list>
 #include <map>
 #include <string>
 
@@ -23,6 +24,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 constexpr bus::Topic<bus::Hello> kHello{"rt/hello", &HelloWorldData_Msg_desc};
 
@@ -319,14 +321,24 @@ TEST_F(RecorderTest, SaysWhichTopicItCannotRecord) {
                                      .type_information = {},
                                      .type_mapping = {},
                                      .restrict_data_representation = 0};
-  const bus::Entity topic(dds_create_topic(ours.handle(), &unknown, "rt/else", nullptr, nullptr),
-                          "topic");
-  const bus::Entity writer(dds_create_writer(ours.handle(), topic.handle(), nullptr, nullptr),
-                           "writer");
+  std::list<bus::Entity> entities;
+  const auto write = [&](const std::string& name) {
+    const bus::Entity& topic = entities.emplace_back(
+        dds_create_topic(ours.handle(), &unknown, name.c_str(), nullptr, nullptr), "topic");
+    entities.emplace_back(dds_create_writer(ours.handle(), topic.handle(), nullptr, nullptr),
+                          "writer");
+  };
+  write("rt/else");
   EXPECT_TRUE(test::Eventually([&] { return !said().empty(); }));
-  recorder.reset();
   EXPECT_THAT(said(), ElementsAre("topic rt/else is not recorded: its type somebody::Else is none "
                                   "of the vendor's"));
+  // A stranger's hundreds are no hundreds of lines.
+  for (int i = 0; i < 40; ++i) write("rt/else" + std::to_string(i));
+  EXPECT_TRUE(test::Eventually([&] { return said().size() >= 9; }));
+  recorder.reset();
+  ASSERT_THAT(said(), SizeIs(9));
+  EXPECT_THAT(said().back(), StartsWith("further topics"));
+  while (!entities.empty()) entities.pop_back();  // a writer before its topic
 }
 
 TEST_F(RecorderTest, LeavesVideoToThoseWhoWatchIt) {

@@ -175,8 +175,14 @@ TEST_F(CompareTest, NamesMotorsOfOtherRecordersAsTheOneThatKnows) {
 
 // A robot without a clock gets one when it finds a server of time.
 TEST_F(CompareTest, SaysWhereAClockWasSet) {
-  EXPECT_THAT([&] { Compared({.clock_set = 1'000'000}, {}); },
-              ThrowsMessage<RecordError>(HasSubstr("its clock jumps by")));
+  for (const double set : {100.0, 1e6, 3e7}) {  // s
+    const std::string jump =
+        "at 2.0 s its clock jumps by " + std::to_string(std::lround(set)) + " s";
+    EXPECT_THAT([&] { Compared({.clock_set = set}, {}); },
+                ThrowsMessage<RecordError>(HasSubstr("first.mcap: " + jump)));
+    EXPECT_THAT([&] { Compared({}, {.clock_set = set}); },
+                ThrowsMessage<RecordError>(HasSubstr("second.mcap: " + jump)));
+  }
 }
 
 TEST_F(CompareTest, TakesNoCommandsFromAfterTheLastState) {

@@ -64,6 +64,25 @@ TEST_F(ReporterTest, SaysEachCauseAtMostOnceASecond) {
   EXPECT_THAT(Said(), HasSubstr("warning: refused 49 LowCmd (crc): "));
 }
 
+TEST_F(ReporterTest, SaysEverLessOftenWhatIsRefusedOnAndOn) {
+  Reporter dut(&ring_, 500, false);
+  int lines = 0;
+  const auto lasts = [&](int from, int to) {  // ms
+    for (int ms = from; ms < to; ms += 20) {
+      Refuse(robot::Refusal::kCrc);
+      dut.Update({}, milliseconds(ms));
+      lines += Said().empty() ? 0 : 1;
+    }
+  };
+  lasts(0, 60'000);
+  EXPECT_EQ(lines, 9) << "at 0, 1, 3, 7, 15, 25 s ...";
+  dut.Update({}, milliseconds(80'000));
+  Said();
+  lines = 0;
+  lasts(100'000, 102'000);
+  EXPECT_EQ(lines, 2) << "after a pause at once, and after a second";
+}
+
 TEST_F(ReporterTest, SaysThatTheMachineIsTooSlowAtOnceAndThenOnceAMinute) {
   Reporter dut(&ring_, 500, false);
   std::string said;

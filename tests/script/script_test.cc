@@ -18,6 +18,14 @@ std::string One(const std::string& event) {
   return emulator::Describe(Read("script: [" + event + "]").front().request);
 }
 
+TEST(ScriptTest, SaysOfAScenarioHowItIsPlayed) {
+  for (const char* text :
+       {"scenario: x\nrobot: go2\nexpect: [safe]\n", "scenario: x\nscript: [{at: 1, reset: }]\n"}) {
+    EXPECT_THAT(config::ErrorOf([&] { Read(text); }),
+                testing::HasSubstr("this is a scenario: understudy rehearse FILE"));
+  }
+}
+
 TEST(ScriptTest, ReadsEvents) {
   EXPECT_EQ(One("{at: 1, remote.press: L2+B}"), "remote.press L2+B");
   EXPECT_EQ(One("{at: 1, remote.press: {keys: A, for: 2}}"), "remote.press A for 2 s");

@@ -324,15 +324,39 @@ TEST_F(ControlServerTest, AHeaderWithoutEndIs431) {
 }
 
 TEST_F(ControlServerTest, TurnsAwayOneClientTooManyAndTakesTheNextOnceThereIsRoom) {
-  Start({.connections = 2});
+  Start({.connections = 2, .patience = test::kBound});
   std::list<test::RawSocket> clients;
-  for (int i = 0; i < 2; ++i) {
-    clients.emplace_back(path_).Send(kStatusRequest);
-    ASSERT_THAT(clients.back().Receive("}\n"), StartsWith("HTTP/1.1 200"));
+  std::list<emulator::Reply> kept;  // of clients that wait for the robot
+  for (std::size_t i = 1; i <= 2; ++i) {
+    clients.emplace_back(path_).Send(Post("/reset", "{}"));
+    ASSERT_TRUE(test::Eventually([&] {
+      inbox_.Drain(
+          [&](emulator::Request*, emulator::Reply* reply) -> std::optional<emulator::Answer> {
+            kept.push_back(std::move(*reply));
+            return std::nullopt;
+          });
+      return kept.size() == i;
+    }));
   }
   EXPECT_THAT(Tell(""), StartsWith("HTTP/1.1 503"));
-  clients.pop_front();
+  kept.front().Give({});
+  EXPECT_THAT(clients.front().ReceiveAll(), StartsWith("HTTP/1.1 200"));
   EXPECT_TRUE(test::Eventually([&] { return Ask("GET", "/status").status == 200; }));
+  kept.back().Give({});
+  EXPECT_THAT(clients.back().ReceiveAll(), StartsWith("HTTP/1.1 200")) << "it kept its place";
+}
+
+TEST_F(ControlServerTest, OfClientsThatAskNothingTheOneThatWasSilentLongestGivesWay) {
+  Start({.connections = 2, .idle = 10 * test::kBound});
+  const test::RawSocket first(path_), second(path_);
+  for (const test::RawSocket* client : {&first, &second, &first}) {
+    client->Send(kStatusRequest);
+    ASSERT_THAT(client->Receive("}\n"), StartsWith("HTTP/1.1 200"));
+  }
+  EXPECT_EQ(Ask("GET", "/status").status, 200u);
+  EXPECT_EQ(second.ReceiveAll(), "");
+  first.Send(kStatusRequest);
+  EXPECT_THAT(first.Receive("}\n"), StartsWith("HTTP/1.1 200"));
 }
 
 }  // namespace

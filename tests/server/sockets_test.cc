@@ -256,6 +256,36 @@ TEST_F(SocketsTest, OnTcpARecordingHasAPlainNameOnly) {
   }
 }
 
+TEST_F(SocketsTest, ClientsThatSendNothingOrReadNothingDoNotShutOutTheOwner) {
+  std::ofstream(temp_.path() / "large.bin") << std::string(15 << 20, 'x');  // beyond all buffers
+  const test::Ticking ticking(&inbox_, [](const emulator::Request&) { return emulator::Answer{}; });
+  const std::string half = "GET / HTT",
+                    large = "GET /panel/large.bin HTTP/1.1\r\n" + HostLine() + "\r\n";
+  for (const std::string& sent : {std::string{}, half, large}) {
+    Start({.connections = 2, .idle = 10 * test::kBound});
+    std::list<std::unique_ptr<test::RawSocket>> strangers;
+    for (int i = 0; i < 3; ++i) {
+      strangers.push_back(test::RawSocket::ToPort(panel_.port()));
+      strangers.back()->Send(sent);
+      if (sent == large) strangers.back()->Receive("xx");
+    }
+    EXPECT_THAT(Ask("POST /reset", HostLine() + "Authorization: Bearer " + token() + "\r\n"),
+                StartsWith("HTTP/1.1 200"))
+        << sent;
+  }
+}
+
+// A page on a slow line that loads a recording.
+TEST_F(SocketsTest, WhoHasTheTokenMayReadSlowly) {
+  std::ofstream(temp_.path() / "large.bin") << std::string(15 << 20, 'x');
+  Start({.connections = 1, .idle = 10 * test::kBound});
+  const auto owner = test::RawSocket::ToPort(panel_.port());
+  owner->Send("GET /panel/large.bin HTTP/1.1\r\nConnection: close\r\n" + HostLine() +
+              "Authorization: Bearer " + token() + "\r\n\r\n");
+  owner->Receive("xx");
+  EXPECT_THAT(Ask("GET /", HostLine()), StartsWith("HTTP/1.1 503"));
+}
+
 TEST_F(SocketsTest, HangsUpOnFramesThatAreNone) {
   const test::Showing tick(&snapshots_);
   for (const std::string_view bytes :
@@ -322,10 +352,8 @@ TEST_F(SocketsTest, EndsWhileItIsWatched) {
 
 TEST_F(SocketsTest, AFullDoorLeavesTheOtherOpen) {
   Start({.connections = 2});
-  const auto one = test::RawSocket::ToPort(panel_.port());
-  const auto two = test::RawSocket::ToPort(panel_.port());
-  EXPECT_TRUE(
-      test::Eventually([&] { return Ask("GET /status", HostLine()).starts_with("HTTP/1.1 503"); }));
+  const auto one = Open("/events?token=" + token()), two = Open("/events?token=" + token());
+  EXPECT_THAT(Ask("GET /status", HostLine()), StartsWith("HTTP/1.1 503"));
   EXPECT_TRUE(StillServes());
 }
 

@@ -229,6 +229,7 @@ def test_a_run_in_the_background_is_left_when_it_is_ready(behind, runtime_dir, t
     assert "go2 is on lo" in understudy("ctl", "log").stdout
     with subprocess.Popen([os.environ["UNDERSTUDY"], "ctl", "log", "--follow"], stdout=subprocess.PIPE,
                           text=True) as follower:
+        assert follower.stdout.readline()  # it has found the robot
         assert understudy("ctl", "stop").returncode == 0
         said, _ = follower.communicate(timeout=10)
     assert follower.returncode == 0

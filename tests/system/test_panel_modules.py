@@ -150,14 +150,16 @@ def test_a_request_gets_its_form_by_its_row_alone(page):
           [firstChild.data.trim(), lastChild.data.trim()].join(" ").trim());
         form.remove();
         return {{ asked, before, times, text, words: options("with"), bodies: options("body"),
-                  step: one("for").step, value: one("for").value, slow: one("slow").checked }};
+                  step: one("for").step, value: one("for").value, slow: one("slow").value,
+                  slows: options("slow") }};
       }})""")
 
     assert made["asked"] == [["arm.wave_at", {"times": 3, "for": 2, "to": [0.5, 0, -1], "with": "right",
                                               "body": "head", "slow": True}]]
     assert not made["before"]  # something that is needed is missing
     assert made["times"] == ["number", "1", "9", "1", True]
-    assert (made["step"], made["value"], made["slow"]) == ("any", "2", True)
+    assert (made["step"], made["value"], made["slow"]) == ("any", "2", "On")
+    assert made["slows"] == ["Off", "On"]
     assert made["words"] == ["", "left", "right"] and made["bodies"] == ["", "torso", "head"]
     assert made["text"] == ["times", "for s", "to m", "off", "with", "body", "slow", "song", "wave at wave at"]
 

@@ -290,6 +290,11 @@ def test_a_recording_is_not_replaced_unasked(folder, play, understudy):
     refused = understudy("run", "go2", "--name", there.name, "--domain", 5, "--record", file, "--overwrite")
     assert refused.returncode == 8, refused.stderr
     assert file.read_text() == "precious"
+    script = folder / "program"
+    script.write_text("#!/nowhere/interpreter\n")
+    script.chmod(0o755)
+    assert understudy("exec", "go2", "--record", file, "--overwrite", "--", script).returncode == 127
+    assert file.read_text() == "precious"
     assert understudy("run", "go2", "--overwrite").returncode == 2
     done = understudy("run", "go2", "--record", file, "--overwrite", "--duration", "0.5")
     assert done.returncode == 0, done.stderr

@@ -120,6 +120,6 @@ MJCFS = [
     (f"{MENAGERIE}/unitree_go2/scene_mjx.xml", "go2", STANDS),
     (f"{MENAGERIE}/unitree_h1/h1.xml", "h1", STANDS),
     (f"{MENAGERIE}/unitree_h1/scene.xml", "h1", STANDS),
-    (f"{MENAGERIE}/unitree_z1/z1.xml", "go2", "no base body 'base_link'"),
-    (f"{MENAGERIE}/unitree_z1/z1_gripper.xml", "go2", "no base body 'base_link'"),
+    (f"{MENAGERIE}/unitree_z1/z1.xml", "go2", "no model of a 'go2'"),
+    (f"{MENAGERIE}/unitree_z1/z1_gripper.xml", "go2", "no model of a 'go2'"),
 ]

@@ -127,8 +127,7 @@ void BodyModel::FindSole(std::span<const int> geoms, const std::string& name, st
     AddGeom(model_, *data_, geom, &extent);
   }
   if (extent.empty()) {
-    throw ModelError("foot '" + name + "' has no geoms: name them in robot.feet." +
-                     std::to_string(foot) + ".geoms");
+    throw ModelError("foot '" + name + "' has no geoms: " + physics::FeetRemedy(foot));
   }
   const mjcf::RotationView R(data_->xmat + 9 * f.body);
   f.centre = R.transpose() * (extent.centre() - Vector(data_->xpos + 3 * f.body));

@@ -211,8 +211,7 @@ QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot) {
     const int calf = body_of(3 * leg + 2);
     if (feet[leg].empty() || !HangsOn(model, model.geom_bodyid[feet[leg].front()], calf)) {
       throw ModelError("foot '" + spec.feet[leg].name + "' has no geoms on the calf of '" +
-                       spec.motors[3 * leg + 2].joint + "': name them in robot.feet." +
-                       std::to_string(leg) + ".geoms");
+                       spec.motors[3 * leg + 2].joint + "': " + physics::FeetRemedy(leg));
     }
     ReadFoot(model, *data, feet[leg], calf, wheeled, &figures.legs[leg]);
   }

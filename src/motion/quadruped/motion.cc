@@ -93,8 +93,10 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
       return row->verdict;
     }
   }
-  if (row == nullptr && kRises.Has(state_) && !IsMove(goal)) {
-    // What the stand that it rises to allows is done there.
+  // That it has fallen is no news while it recovers.
+  const bool waits = !IsMove(goal) && !std::holds_alternative<goal::Fall>(goal);
+  if (row == nullptr && kOnTheWay.Has(state_) && waits) {
+    // What the posture that it is on the way to allows is done there.
     row = Find(rows, goal.index(), EndOf(state_), holds);
     const bool from_lock =
         figures_.gestures_from_lock && EndOf(state_) == kLocked && IsGesture(goal);
@@ -374,7 +376,7 @@ void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
   }
   const State next = RowOf(state_).next;
   if (next != state_ && now_->over()) Enter(next == kStanding ? stand_ : next);
-  if ((kStands.Has(state_) || state_ == kLocked) && then_) {
+  if ((kStands.Has(state_) || state_ == kLocked || state_ == kSitting) && then_) {
     Ask(*std::exchange(then_, std::nullopt));
   }
 }

@@ -47,10 +47,11 @@ inline constexpr StateSet<QuadrupedState> kStanceStates{
 inline constexpr StateSet<QuadrupedState> kMovingStates{QuadrupedState::kWalking,
                                                         QuadrupedState::kDriving};
 
-// On its way from the ground to a stand.
-inline constexpr StateSet<QuadrupedState> kRises{QuadrupedState::kFolding, QuadrupedState::kRising,
-                                                 QuadrupedState::kFoldingOn,
-                                                 QuadrupedState::kRisingOn};
+// On its way to a stand or a sit: what that allows waits for it.
+inline constexpr StateSet<QuadrupedState> kOnTheWay{
+    QuadrupedState::kFolding,    QuadrupedState::kRising,     QuadrupedState::kFoldingOn,
+    QuadrupedState::kRisingOn,   QuadrupedState::kRecovering, QuadrupedState::kRisingSit,
+    QuadrupedState::kSittingDown};
 
 // What the robot reports of a state, and the state that follows once its behaviour is over. Of
 // those that stand in a gait, walk or drive it reports what the gait's row says. Ids and modes are

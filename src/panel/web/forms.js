@@ -13,7 +13,8 @@ function inputsOf({ key, kind, range: [min, max] = [], words, required, default:
     case "number": case "whole": case "speed": return [number("")];
     case "vector": return ["x", "y", "z"].map(number);
     case "switch":
-      return [element("input", { "aria-label": key, type: "checkbox", checked: value > 0 })];
+      return [element("select", called, ...["Off", "On"].map((text) =>
+        element("option", { text, selected: (value > 0) === (text === "On") })))];
     case "word": return [choice(words)];
     case "body": return [choice(bodies)];
     default: return [element("input", called)];
@@ -23,7 +24,7 @@ function inputsOf({ key, kind, range: [min, max] = [], words, required, default:
 // What stands in the inputs, undefined where nothing does: JSON leaves that out. Of a vector an
 // empty part is 0.
 function valueOf({ kind }, inputs) {
-  if (kind === "switch") return inputs[0].checked;
+  if (kind === "switch") return inputs[0].value === "On";
   const texts = inputs.map(({ value }) => value);
   if (texts.every((text) => text === "")) return undefined;
   if (kind === "vector") return texts.map(Number);

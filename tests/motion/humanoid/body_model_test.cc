@@ -2,6 +2,7 @@
 #include "motion/humanoid/body_model.h"
 
 #include <random>
+#include <string_view>
 
 #include <mujoco/mujoco.h>
 
@@ -175,6 +176,21 @@ INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest, testing::ValuesIn(test::Humanoid
                          [](const auto& test) { return test.param; });
 
 using BodyModelMisuseTest = test::MujocoTest;
+
+// Such as of Menagerie's g1_mjx.xml, whose feet meet the ground of scene_mjx.xml by pairs.
+TEST_F(BodyModelMisuseTest, SaysOfAFootWithoutGeomsWhatHelps) {
+  const physics::MujocoWorld world = PhysicsOf(ConfigOf("g1"));
+  robot::RobotSpec spec = world.robot().spec();
+  spec.feet[1] = {.name = "tail", .geoms = {"none"}};
+  try {
+    const BodyModel taken(world.model(), spec);
+    FAIL() << "took it";
+  } catch (const ModelError& error) {
+    for (const char* const word : {"'tail'", "contype", "<pair>", "scene", "robot.feet.1.geoms"}) {
+      EXPECT_NE(std::string_view(error.what()).find(word), std::string_view::npos) << error.what();
+    }
+  }
+}
 
 TEST_F(BodyModelMisuseTest, RefusesAFootWithoutGeoms) {
   const physics::MujocoWorld world = PhysicsOf(ConfigOf("g1"));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -116,7 +117,36 @@ TEST_F(Go2MotionTest, DoesOnceItStandsWhatItIsAskedForOnTheWay) {
   EXPECT_TRUE(rig_.RunUntil(kGesture, 8));
 }
 
-TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {
+// The whole of a course's program that makes the dog sit (Dylan-vrl/com304-go2), and of one that
+// greets: each order a second after the last, while it still rises.
+TEST_F(Go2MotionTest, SitsAndGreetsAfterStandUpAlone) {
+  for (const auto& [order, id] :
+       {std::pair{authority::MotionGoal(goal::Sit{}), int{kSit}},
+        std::pair{authority::MotionGoal(goal::Gesture{}), int{kGesture}}}) {
+    rig_.Start("lying");
+    rig_.Run(0.2);
+    EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
+    rig_.Run(1);
+    EXPECT_EQ(rig_.Ask(order), authority::MotionVerdict::kTaken);
+    EXPECT_TRUE(rig_.RunUntil(id, 4));
+    EXPECT_TRUE(id == kSit || rig_.RunUntil(kBalance, 10)) << "so it may walk";
+  }
+}
+
+TEST_F(Go2MotionTest, RisesOutOfASitThatItIsStillOnItsWayTo) {
+  rig_.BalanceStand();
+  EXPECT_EQ(rig_.Ask(goal::Sit{}), authority::MotionVerdict::kTaken);
+  rig_.Run(0.5);
+  EXPECT_EQ(rig_.Ask(goal::Gesture{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::RiseSit{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.state().id, kSit) << "it sits first";
+  EXPECT_EQ(rig_.state().mode, 10);
+  EXPECT_TRUE(rig_.RunUntil(kGesture, 3)) << "it rises";
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kTaken);
+  EXPECT_TRUE(rig_.RunUntil(kCrouch, 4)) << "it stands, and lies down";
+}
+
+TEST_F(Go2MotionTest, DoesInAPostureWhatThatAllows) {
   const authority::MotionGoal kSpecial[] = {goal::Gesture{}, goal::Sit{}, goal::Pose{},
                                             goal::Euler{1}, goal::BodyHeight{1}};
   rig_.Start("lying");
@@ -126,7 +156,8 @@ TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {
   EXPECT_EQ(rig_.Ask(goal::BalanceStand{}), authority::MotionVerdict::kNotNow);
   EXPECT_EQ(rig_.Ask(goal::RiseSit{}), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
-  for (const authority::MotionGoal& action : kSpecial) {
+  for (const authority::MotionGoal& action :
+       {authority::MotionGoal(goal::Euler{1}), authority::MotionGoal(goal::BodyHeight{1})}) {
     EXPECT_EQ(rig_.Ask(action), authority::MotionVerdict::kNotNow) << "locked";
   }
   rig_.BalanceStand();

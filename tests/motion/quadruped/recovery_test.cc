@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -134,9 +135,23 @@ TEST_F(RecoveryTest, SaysThatItIsUnderWay) {
   rig.Ask(goal::RecoveryStand{});
   EXPECT_EQ(rig.state().id, 2006);
   EXPECT_EQ(rig.state().mode, 8);
-  EXPECT_EQ(rig.Ask(goal::StandUp{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig.Ask(goal::Move{0.3, 0, 0, 1}), authority::MotionVerdict::kNotNow);
   EXPECT_EQ(rig.Ask(goal::Damp{}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig.state().id, 1001);
+}
+
+TEST_F(RecoveryTest, DoesOnceItStandsWhatItIsAskedForMeanwhile) {
+  for (const auto& [order, id] :
+       {std::pair{authority::MotionGoal(goal::BalanceStand{}), int{kBalance}},
+        std::pair{authority::MotionGoal(goal::StandUp{}), int{kLocked}}}) {
+    QuadrupedRig rig("go2");
+    rig.Start("lying");
+    rig.Ask(goal::RecoveryStand{});
+    ASSERT_EQ(rig.state().id, 2006);
+    EXPECT_EQ(rig.Ask(order), authority::MotionVerdict::kTaken);
+    rig.Run(10);
+    EXPECT_EQ(rig.state().id, id);
+  }
 }
 
 class AutoRecoveryTest : public testing::Test {

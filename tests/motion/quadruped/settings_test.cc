@@ -68,35 +68,37 @@ TEST(QuadrupedSettingsTest, GesturesFromLock) {
   for (const authority::MotionGoal& action :
        {authority::MotionGoal(goal::Gesture{}), authority::MotionGoal(goal::Sit{}),
         authority::MotionGoal(goal::Pose{})}) {
-    QuadrupedRig rig("go2", {"robot.motion.quadruped.gestures_from_lock=true"});
+    QuadrupedRig rig = Rig("gestures_from_lock=false"), usual("go2");
     rig.StandUp();
-    EXPECT_EQ(rig.Ask(action), authority::MotionVerdict::kTaken);
-    const int wanted = std::holds_alternative<goal::Gesture>(action) ? 1006
-                       : std::holds_alternative<goal::Sit>(action)   ? 1007
-                                                                     : 1091;
-    EXPECT_TRUE(rig.RunUntil(wanted, 1));
-    rig.Run(2);
-    EXPECT_LT(rig.tilt(), 0.8);
-    EXPECT_GT(rig.height(), 0.15);
+    EXPECT_EQ(rig.Ask(action), authority::MotionVerdict::kNotNow);
+    usual.StandUp();
+    EXPECT_EQ(usual.Ask(action), authority::MotionVerdict::kTaken);
+    const int wanted = std::holds_alternative<goal::Gesture>(action) ? kGesture
+                       : std::holds_alternative<goal::Sit>(action)   ? kSit
+                                                                     : kPose;
+    EXPECT_TRUE(usual.RunUntil(wanted, 1));
+    usual.Run(2);
+    EXPECT_LT(usual.tilt(), 0.8);
+    EXPECT_GT(usual.height(), 0.15);
   }
 }
 
 // A course's program (Dylan-vrl/com304-go2): StandUp, Sit, StandUp, a second apart.
 TEST(QuadrupedSettingsTest, StandsUpOutOfSitWhereGesturesAreTakenFromLock) {
   for (const double sits : {1.0, 3.0}) {  // s: on the way, and there
-    QuadrupedRig usual("go2"), rig("go2", {"robot.motion.quadruped.gestures_from_lock=true"});
+    QuadrupedRig rig = Rig("gestures_from_lock=false"), usual("go2");
     for (QuadrupedRig* one : {&usual, &rig}) {
       one->BalanceStand();
       ASSERT_EQ(one->Ask(goal::Sit{}), authority::MotionVerdict::kTaken);
       one->Run(sits);
     }
-    EXPECT_EQ(usual.Ask(goal::StandUp{}), authority::MotionVerdict::kNotNow);
-    EXPECT_EQ(rig.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
-    EXPECT_TRUE(rig.RunUntil(1002, 5));
-    rig.Run(2);
-    EXPECT_EQ(rig.state().id, 1002);
-    EXPECT_NEAR(rig.height(), 0.33, 0.02);
-    EXPECT_LT(rig.tilt(), 0.05);
+    EXPECT_EQ(rig.Ask(goal::StandUp{}), authority::MotionVerdict::kNotNow);
+    EXPECT_EQ(usual.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
+    EXPECT_TRUE(usual.RunUntil(kLocked, 5));
+    usual.Run(2);
+    EXPECT_EQ(usual.state().id, kLocked);
+    EXPECT_NEAR(usual.height(), 0.33, 0.02);
+    EXPECT_LT(usual.tilt(), 0.05);
   }
 }
 
