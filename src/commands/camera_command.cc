@@ -43,6 +43,7 @@ struct CameraArguments {
   std::string out;
   double hz = 10;
   double seconds = 0;  // 0: until Ctrl-C
+  bool depth = false;
   bool overwrite = false;
 };
 
@@ -60,24 +61,27 @@ nlohmann::json CamerasOf(const fs::path& socket) {
   }
 }
 
-// Returns the path of its pictures. Throws ControlError with the nearest name if there is none.
-std::string PathOf(const fs::path& socket, const std::string& name) {
+// Returns the path of its pictures or depths. Throws ControlError with the nearest name if there is
+// none.
+std::string PathOf(const fs::path& socket, const std::string& name, bool depth) {
   std::vector<std::string> names;
   for (const auto& camera : CamerasOf(socket)) names.push_back(camera.at("name"));
-  if (std::ranges::find(names, name) != names.end()) return "/cameras/" + name;
+  if (std::ranges::find(names, name) != names.end()) {
+    return "/cameras/" + name + (depth ? "/depth" : "");
+  }
   throw ControlError(names.empty() ? "this robot has no camera"
                                    : "no camera '" + name + "'" + DidYouMean(name, names));
 }
 
 int List(const fs::path& socket) {
-  std::vector<ctl::Cells> rows = {{"CAMERA", "PIXELS", "SERVICE", "VIDEO"}};
+  std::vector<ctl::Cells> rows = {{"CAMERA", "PIXELS", "DEPTH", "SERVICE", "VIDEO"}};
   for (const auto& camera : CamerasOf(socket)) {
     const std::string service = camera.at("service");
     const int port = camera.at("video").at("port");
     rows.push_back({camera.at("name"),
                     std::to_string(camera.at("width").get<int>()) + "x" +
                         std::to_string(camera.at("height").get<int>()),
-                    service.empty() ? "none" : service,
+                    camera.at("depth") ? "yes" : "none", service.empty() ? "none" : service,
                     port == 0 ? "none" : "230.1.1.1:" + std::to_string(port)});
   }
   std::cout << (rows.size() == 1 ? "this robot has no camera\n" : ctl::Aligned(rows));
@@ -106,8 +110,8 @@ int Stream(const CameraArguments& arguments, const fs::path& socket, const std::
     if (over()) break;
     client::ControlReply reply = Look(socket, path);
     if (reply.status == kNoneThisTime) continue;
-    const std::string jpeg = ctl::BodyOf(std::move(reply));
-    if (std::fwrite(jpeg.data(), 1, jpeg.size(), stdout) != jpeg.size()) break;
+    const std::string picture = ctl::BodyOf(std::move(reply));
+    if (std::fwrite(picture.data(), 1, picture.size(), stdout) != picture.size()) break;
     if (std::fflush(stdout) != 0) break;
   }
   return 0;
@@ -117,7 +121,7 @@ int Run(const CameraArguments& arguments) {
   const fs::path socket = client::ChosenSocket(arguments.robot);
   if (arguments.name.empty()) return List(socket);
   if (arguments.out != "-") CheckWritable(arguments.out, arguments.overwrite);
-  const std::string path = PathOf(socket, arguments.name);
+  const std::string path = PathOf(socket, arguments.name, arguments.depth);
   if (arguments.out == "-") return Stream(arguments, socket, path);
   WriteFile(arguments.out, ctl::BodyOf(Look(socket, path)));
   return 0;
@@ -135,11 +139,17 @@ void AddCameraCommand(CLI::App* app, Chosen* chosen) {
   CLI::Option* const out =
       command
           ->add_option("--out", arguments->out,
-                       "File for one JPEG; - writes pictures to standard output, one behind the "
+                       "File for one picture; - writes pictures to standard output, one behind the "
                        "other, until Ctrl-C")
           ->type_name("FILE")
           ->needs(name);
   name->needs(out);
+  command
+      ->add_flag(
+          "--depth", arguments->depth,
+          "The depth that it measures, in place of a JPEG: a PNG of 16 bits, in mm along the "
+          "axis of the picture, 0 where there is none")
+      ->needs(out);
   command->add_option("--hz", arguments->hz, "With --out -: at most so many pictures a second [10]")
       ->check(ctl::NumberWithin(0.01, kMostHz))
       ->type_name("HZ")

@@ -7,6 +7,7 @@
 #include "commands/commands.h"
 #include "commands/set_options.h"
 #include "config/load.h"
+#include "mjcf/mesh_file.h"
 #include "physics/world_model.h"
 #include "terrain/terrain.h"
 
@@ -24,6 +25,11 @@ int TerrainCommand(const TerrainArguments& arguments) {
   sets.insert(sets.begin(), "scene=" + arguments.scene);
   const config::Config config = config::LoadScene(
       {.robot = {}, .files = arguments.config_files, .sets = sets, .typed = arguments.typed});
+  if (mjcf::IsMeshFile(config.scene)) {
+    throw ModelError(config.scene +
+                     " is a scan, which is a scene as it is: understudy run go2 --scene " +
+                     config.scene);
+  }
   if (!terrain::IsTerrain(config.scene)) {
     throw ModelError("no terrain '" + config.scene + "'" +
                      DidYouMean(config.scene, terrain::GeneratedScenes()));

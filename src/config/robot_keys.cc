@@ -166,6 +166,8 @@ void DescribeCamera(Archive& a, robot::CameraSpec& c) {
   a.Key(UNDERSTUDY_NVP(c.centre), {"pixels", {-1e4, 1e4}, "Where its axis is in the picture"});
   a.Key(UNDERSTUDY_NVP(c.distortion), {"", {-10, 10}, "Distortion k1, k2, p1, p2, as OpenCV's"});
   a.Key(UNDERSTUDY_NVP(c.quality), {"", {1, 100}, "Quality of its JPEGs"});
+  a.Key(UNDERSTUDY_NVP(c.depth),
+        {"m", {0, 65}, "The nearest and the farthest depth that it measures; 0, 0 is none"});
   a.Key(UNDERSTUDY_NVP(c.video_port),
         {"", {0, 65535}, "UDP port at 230.1.1.1 of its video stream; 0 is none"});
   a.Key(UNDERSTUDY_NVP(c.video_topic),

@@ -141,6 +141,8 @@ void CheckCameras(const robot::RobotSpec& robot, const Checker& checker) {
                   "'" + service + "' has a camera already");
     checker.Check(IsSharp(camera), key + "distortion",
                   "expected a lens that shows each direction once, within 80° of its axis");
+    checker.Check(camera.depth[0] <= camera.depth[1], key + "depth",
+                  "expected the nearest before the farthest");
   }
 }
 

@@ -283,10 +283,12 @@ struct CameraSpec {
   std::array<double, 2> centre{640, 360};        // pixels, the picture of its axis
   std::array<double, 4> distortion{0, 0, 0, 0};  // k1, k2, p1, p2 (robot/lens.h)
   int quality = 90;                              // of its JPEGs, 1 to 100
+  std::array<double, 2> depth{0, 0};             // m, nearest and farthest; 0, 0: it has none
   int video_port = 0;                            // UDP port of its video stream; 0: it has none
   std::string video_topic;                       // of Go2FrontVideoData_, with its frames; "": none
   double video_hz = 13.8;                        // frames per second
 };
+inline bool HasDepth(const CameraSpec& camera) { return camera.depth[1] > 0; }
 
 struct BatterySpec {
   int cells = 0;

@@ -28,21 +28,22 @@ std::string OrderText(const robot::CameraSpec& camera, const CameraProcess::Want
   return nlohmann::json{
       {"camera", camera.name},     {"width", camera.width},       {"height", camera.height},
       {"focal", camera.focal},     {"centre", camera.centre},     {"distortion", camera.distortion},
-      {"quality", camera.quality}, {"video_hz", camera.video_hz}, {"jpeg", wanted.jpeg},
-      {"frame", wanted.frame},     {"again", wanted.again},       {"light", wanted.light}}
+      {"quality", camera.quality}, {"video_hz", camera.video_hz}, {"range", camera.depth},
+      {"jpeg", wanted.jpeg},       {"frame", wanted.frame},       {"depth", wanted.depth},
+      {"again", wanted.again},     {"light", wanted.light}}
       .dump();
 }
 
-// Behind the "+": the length of the JPEG in four bytes, the JPEG, the frame.
+// Behind the "+": the lengths of JPEG and depth in four bytes each, the JPEG, the depth, the frame.
 CameraProcess::Drawn ReadDrawn(const std::string& reply) {
-  std::uint32_t length = 0;
-  constexpr std::size_t kHead = 1 + sizeof length;
-  if (reply.size() >= kHead) std::memcpy(&length, reply.data() + 1, sizeof length);
-  if (reply.size() < kHead || reply.size() - kHead < length) {
+  std::array<std::uint32_t, 2> lengths{};
+  constexpr std::size_t kHead = 1 + sizeof lengths;
+  if (reply.size() >= kHead) std::memcpy(lengths.data(), reply.data() + 1, sizeof lengths);
+  if (reply.size() < kHead || reply.size() - kHead < std::uint64_t{lengths[0]} + lengths[1]) {
     throw SetupError("the program that draws is of another version");
   }
-  const auto jpeg = reply.begin() + kHead, frame = jpeg + length;
-  return {.jpeg = {jpeg, frame}, .frame = {frame, reply.end()}};
+  const auto jpeg = reply.begin() + kHead, depth = jpeg + lengths[0], frame = depth + lengths[1];
+  return {.jpeg = {jpeg, depth}, .depth = {depth, frame}, .frame = {frame, reply.end()}};
 }
 
 }  // namespace

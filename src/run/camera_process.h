@@ -25,12 +25,14 @@ class CameraProcess {
   struct Wanted {
     bool jpeg = true;
     bool frame = false;  // of the camera's video
+    bool depth = false;
     bool again = false;  // of its last picture, if there is one, instead of the state's
     double light = 1;    // share of it
   };
   // What is not wanted is empty.
   struct Drawn {
     std::vector<std::uint8_t> jpeg;
+    std::vector<std::uint8_t> depth;  // PNG of 16 bits, mm
     std::vector<std::uint8_t> frame;  // H.264, Annex B
   };
 

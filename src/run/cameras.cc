@@ -44,10 +44,11 @@ Cameras::Order Cameras::Begin(std::string_view service) noexcept {
   return open;
 }
 
-std::future<Picture> Cameras::Look(std::size_t camera) {
+std::future<Picture> Cameras::Look(std::size_t camera, bool depth) {
   const std::lock_guard lock(waiting_mutex_);
   // Counted once it waits, so that the job of its number finds it.
-  waiting_.push_back({.camera = camera, .look = looked_[camera] + 1, .picture = {}});
+  waiting_.push_back(
+      {.camera = camera, .look = looked_[camera] + 1, .depth = depth, .picture = {}});
   ++looked_[camera];
   return waiting_.back().picture.get_future();
 }
@@ -116,11 +117,24 @@ void Cameras::Show(const Job& job, const Picture& picture) {
   if (shown > 0) news_.Ring();
 }
 
+bool Cameras::LooksForDepth(const Job& job) {
+  const std::lock_guard lock(waiting_mutex_);
+  return std::ranges::any_of(waiting_, [&](const Waiting& waiting) {
+    return waiting.camera == job.camera && waiting.look <= job.looks && waiting.depth;
+  });
+}
+
 Picture Cameras::Make(const Job& job, const std::stop_token& stop) {
   using enum Picture::Outcome;
   if (job.faults.lost) return {.order = job.order, .outcome = kLost};
   try {
-    return {.order = job.order, .outcome = kDrawn, .jpeg = Draw(job, stop)};
+    CameraProcess::Drawn drawn = Draw(job, stop);
+    const auto kept = [](std::vector<std::uint8_t>& bytes) {
+      return std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
+    };
+    Picture picture{.order = job.order, .outcome = kDrawn, .jpeg = kept(drawn.jpeg)};
+    if (!drawn.depth.empty()) picture.depth = kept(drawn.depth);
+    return picture;
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
     process_.reset();
@@ -133,17 +147,20 @@ Picture Cameras::Make(const Job& job, const std::stop_token& stop) {
   }
 }
 
-services::PictureBytes Cameras::Draw(const Job& job, const std::stop_token& stop) {
+CameraProcess::Drawn Cameras::Draw(const Job& job, const std::stop_token& stop) {
   if (!process_) {
     const std::lock_guard lock(mutex_);
     if (!stop.stop_requested()) process_.emplace(program_, control_socket_);
   }
-  CameraProcess::Drawn drawn = process_.value().Draw(
-      cameras_[job.camera],
-      {.jpeg = job.jpeg, .frame = job.frame, .again = job.faults.frozen, .light = job.faults.light},
-      job.state);
+  CameraProcess::Drawn drawn = process_.value().Draw(cameras_[job.camera],
+                                                     {.jpeg = job.jpeg,
+                                                      .frame = job.frame,
+                                                      .depth = LooksForDepth(job),
+                                                      .again = job.faults.frozen,
+                                                      .light = job.faults.light},
+                                                     job.state);
   if (job.frame) video_.Send(job.camera, job.state.time, drawn.frame);
-  return std::make_shared<const std::vector<std::uint8_t>>(std::move(drawn.jpeg));
+  return drawn;
 }
 
 }  // namespace understudy::run

@@ -53,7 +53,7 @@ class Cameras final : public Attachment,
   bool AllowsStep() const override { return !holds_steps_ || !busy_ || Front() != nullptr; }
   std::optional<ExitCode> After(const Cycle& cycle) override;
   std::span<const robot::CameraSpec> cameras() const noexcept override { return cameras_; }
-  std::future<services::Picture> Look(std::size_t camera) override;
+  std::future<services::Picture> Look(std::size_t camera, bool depth) override;
   const Bell& news() const noexcept override { return news_; }
   server::VideoCounts video(std::size_t camera) const noexcept override {
     return video_.counts(camera);
@@ -72,13 +72,15 @@ class Cameras final : public Attachment,
   struct Waiting {
     std::size_t camera = 0;
     std::uint64_t look = 0;
+    bool depth = false;
     std::promise<services::Picture> picture;
   };
 
   void Work(const std::stop_token& stop);
   void Show(const Job& job, const services::Picture& picture);
+  bool LooksForDepth(const Job& job);
   services::Picture Make(const Job& job, const std::stop_token& stop);
-  services::PictureBytes Draw(const Job& job, const std::stop_token& stop);
+  CameraProcess::Drawn Draw(const Job& job, const std::stop_token& stop);
   void Fill(std::size_t camera, bool due, const emulator::World& world, Job* job);
 
   std::size_t robot_;

@@ -26,9 +26,9 @@ class CameraViews {
 
   virtual std::span<const robot::CameraSpec> cameras() const noexcept = 0;
 
-  // Orders a picture by the camera of that number, of a state that is not older than this call. Any
-  // thread may call it. Looks may share a picture.
-  virtual std::future<services::Picture> Look(std::size_t camera) = 0;
+  // Orders a picture by the camera of that number, of a state that is not older than this call, and
+  // its depth if asked for. Any thread may call it. Looks may share a picture.
+  virtual std::future<services::Picture> Look(std::size_t camera, bool depth) = 0;
 
   virtual VideoCounts video(std::size_t camera) const noexcept = 0;
 

@@ -180,6 +180,7 @@ Routed GetCameras(const HttpRequest&, std::string_view, Plane& plane) {
                        {"service", camera.service},
                        {"width", camera.width},
                        {"height", camera.height},
+                       {"depth", robot::HasDepth(camera)},
                        {"video",
                         {{"port", camera.video_port},
                          {"sent", video.sent},
@@ -189,12 +190,15 @@ Routed GetCameras(const HttpRequest&, std::string_view, Plane& plane) {
   return JsonReply({{"cameras", cameras}});
 }
 
+template <bool kDepth>
 Routed GetCamera(const HttpRequest&, std::string_view name, Plane& plane) {
   const auto cameras = CamerasOf(plane);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    if (cameras[i].name == name) return FromCamera{.camera = i};
     names.push_back(cameras[i].name);
+    if (cameras[i].name != name) continue;
+    if (!kDepth || robot::HasDepth(cameras[i])) return FromCamera{.camera = i, .depth = kDepth};
+    return ErrorReply(404, "the camera " + cameras[i].name + " measures no depth");
   }
   const std::string shown{name.substr(0, 64)};
   return ErrorReply(404, names.empty() ? "this robot has no camera"
@@ -237,7 +241,7 @@ Routed GetPanel(const HttpRequest&, std::string_view, Plane& plane) {
 
 // The routes of GET; the POSTs are those of the table of requests.
 struct Row {
-  std::string_view path;  // braces at the end match the rest of a path
+  std::string_view path;  // braces match a part of a path, to its end or to what follows them
   Routed (*answer)(const HttpRequest& request, std::string_view rest, Plane& plane);
 };
 
@@ -254,7 +258,8 @@ constexpr Row kRoutes[] = {
     {"/recordings", GetRecordings},
     {"/recordings/{name}", GetRecording},
     {"/cameras", GetCameras},
-    {"/cameras/{name}", GetCamera},
+    {"/cameras/{name}/depth", GetCamera<true>},
+    {"/cameras/{name}", GetCamera<false>},
     {"/lidar", GetLidar},
     {"/lidar/{name}", GetLidarView},
     {"/timings", GetTimings},
@@ -275,8 +280,12 @@ std::optional<std::string_view> RestOf(std::string_view path, const Row& row) {
   if (brace == std::string_view::npos) {
     return path == row.path ? std::optional(std::string_view{}) : std::nullopt;
   }
-  if (!path.starts_with(row.path.substr(0, brace))) return std::nullopt;
-  return path.substr(brace);
+  const std::string_view after = row.path.substr(row.path.find('}') + 1);
+  if (path.size() < brace + after.size() || !path.starts_with(row.path.substr(0, brace)) ||
+      !path.ends_with(after)) {
+    return std::nullopt;
+  }
+  return path.substr(brace, path.size() - brace - after.size());
 }
 
 HttpReply WrongMethod(const HttpRequest& request, std::string_view right) {

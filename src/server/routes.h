@@ -20,9 +20,10 @@ struct FromSnapshot {
                      Plane& plane) = nullptr;
 };
 
-// A picture by the camera of that number.
+// A picture by the camera of that number, or its depth.
 struct FromCamera {
   std::size_t camera = 0;
+  bool depth = false;
 };
 
 // A WebSocket that sends snapshots, at most `hz` a second.

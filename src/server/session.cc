@@ -119,7 +119,7 @@ void Session::Answer(const HttpRequest& request) {
   if (const auto* wanted = std::get_if<FromCamera>(&routed)) {
     // Drawing may take longer than a client may be silent.
     stream_.expires_never();
-    return shared_->views->Ask(wanted->camera,
+    return shared_->views->Ask(wanted->camera, wanted->depth,
                                [self = Self()](HttpReply reply) { self->Write(std::move(reply)); });
   }
   if (const auto* asked = std::get_if<emulator::Request>(&routed)) {

@@ -12,11 +12,12 @@ namespace {
 using boost::system::error_code;
 using services::Picture;
 
-HttpReply ReplyOf(const Picture& picture) {
+HttpReply ReplyOf(const Picture& picture, bool depth) {
+  const services::PictureBytes& bytes = depth ? picture.depth : picture.jpeg;
   switch (picture.outcome) {
     case Picture::Outcome::kDrawn:
-      return {.body = std::string(picture.jpeg->begin(), picture.jpeg->end()),
-              .type = "image/jpeg"};
+      return {.body = std::string(bytes->begin(), bytes->end()),
+              .type = depth ? "image/png" : "image/jpeg"};
     case Picture::Outcome::kLost:
       return ErrorReply(503, "the camera gives no picture this time, by its fault");
     case Picture::Outcome::kFailed:
@@ -33,9 +34,9 @@ ViewDesk::ViewDesk(boost::asio::io_context* io, CameraViews* views,
   Listen();
 }
 
-void ViewDesk::Ask(std::size_t camera, Done done) {
-  asked_.push_back(
-      {views_->Look(camera), boost::asio::steady_timer(*io_, patience_), std::move(done)});
+void ViewDesk::Ask(std::size_t camera, bool depth, Done done) {
+  asked_.push_back({depth, views_->Look(camera, depth), boost::asio::steady_timer(*io_, patience_),
+                    std::move(done)});
   const auto asked = std::prev(asked_.end());
   asked->timer.async_wait([this, asked](const error_code& error) {
     if (error) return;
@@ -66,7 +67,7 @@ void ViewDesk::Deliver() {
   }
   for (Asked& asked : drawn) {
     asked.timer.cancel();
-    asked.done(ReplyOf(asked.picture.get()));
+    asked.done(ReplyOf(asked.picture.get(), asked.depth));
   }
 }
 

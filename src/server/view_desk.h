@@ -24,12 +24,14 @@ class ViewDesk {
   // `views` must outlive the desk. `patience` is the longest wait for a picture.
   ViewDesk(boost::asio::io_context* io, CameraViews* views, std::chrono::milliseconds patience);
 
-  // Calls `done`, which must own what it needs, with the JPEG by the camera of that number, or 503
-  // if the camera gives none this time or it does not come in time, 500 if nothing draws.
-  void Ask(std::size_t camera, Done done);
+  // Calls `done`, which must own what it needs, with the JPEG by the camera of that number or the
+  // PNG of its depth, or 503 if the camera gives none this time or it does not come in time, 500 if
+  // nothing draws.
+  void Ask(std::size_t camera, bool depth, Done done);
 
  private:
   struct Asked {
+    bool depth;
     std::future<services::Picture> picture;
     boost::asio::steady_timer timer;
     Done done;

@@ -19,7 +19,8 @@ struct Picture {
   };
   std::uint64_t order = 0;
   Outcome outcome = Outcome::kFailed;
-  PictureBytes jpeg{};  // null unless drawn
+  PictureBytes jpeg{};   // null unless drawn
+  PictureBytes depth{};  // PNG of 16 bits, mm; null unless drawn and looked for
 };
 
 // Draws pictures in another thread. Polled by the tick; no function waits or throws.

@@ -92,6 +92,25 @@ const Image& Canvas::Draw(Stage* stage, const Caption* caption) {
   return image_;
 }
 
+const std::vector<float>& Canvas::Depths(Stage* stage) {
+  const std::ptrdiff_t width = drawn_.width, height = drawn_.height;
+  depths_.resize(static_cast<std::size_t>(width * height));
+  mjr_setBuffer(mjFB_OFFSCREEN, &context_);
+  mjr_readPixels(nullptr, depths_.data(), {0, 0, drawn_.width, drawn_.height}, &context_);
+  for (std::ptrdiff_t top = 0, bottom = height - 1; top < bottom; ++top, --bottom) {
+    std::swap_ranges(depths_.begin() + top * width, depths_.begin() + (top + 1) * width,
+                     depths_.begin() + bottom * width);
+  }
+  // OpenGL's depth is 0 at the near plane and 1 at the far one, evenly in the inverse of the
+  // length.
+  const float nearest = stage->scene()->camera[0].frustum_near;
+  const float farthest = stage->scene()->camera[0].frustum_far;
+  for (float& depth : depths_) {
+    depth = nearest * farthest / (farthest - depth * (farthest - nearest));
+  }
+  return depths_;
+}
+
 Image Halve(const Image& big) {
   Image half{.width = big.width / 2, .height = big.height / 2, .rgb = {}};
   half.rgb.resize(3 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
@@ -108,6 +127,21 @@ Image Halve(const Image& big) {
     }
   }
   return half;
+}
+
+std::string EncodePng(const DepthImage& image) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_LINEAR_Y;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.mm.data(), 0, nullptr) == 0) {
+    throw SetupError("no PNG: " + std::string(png.message));
+  }
+  bytes.resize(size);
+  return bytes;
 }
 
 void WritePng(const Image& image, const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "viewer/screen_text.h"
@@ -17,11 +18,21 @@ struct Image {
   std::vector<std::uint8_t> rgb;  // top row first
 };
 
+// How far what each pixel shows is along the camera's axis.
+struct DepthImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint16_t> mm;  // top row first; 0: none
+};
+
 // Returns the means of 2 x 2 pixels: half as wide and high. Both must be even.
 Image Halve(const Image& big);
 
 // Writes a PNG file, replacing an existing one atomically. Throws SetupError with the reason.
 void WritePng(const Image& image, const std::filesystem::path& file);
+
+// Returns the bytes of a PNG file of 16 bits. Throws SetupError.
+std::string EncodePng(const DepthImage& image);
 
 class Canvas {
  public:
@@ -41,6 +52,10 @@ class Canvas {
   // next call.
   const Image& Draw(Stage* stage, const Caption* caption = nullptr);
 
+  // Returns the depths [m] along the camera's axis of what Draw rendered last of that stage, top
+  // row first. Edges must be hard. The reference is valid until the next call.
+  const std::vector<float>& Depths(Stage* stage);
+
  private:
   void Write(const Caption& caption);
   std::string Cut(std::string line) const;
@@ -49,6 +64,7 @@ class Canvas {
   bool fine_;
   mjrContext context_;
   Image image_, upside_down_;
+  std::vector<float> depths_;
 };
 
 }  // namespace understudy::viewer

@@ -14,7 +14,7 @@ constexpr int kMostPixels = 8192;  // along a side; more no OpenGL needs to have
 
 }  // namespace
 
-LensTable::LensTable(const robot::CameraSpec& camera) {
+LensTable::LensTable(const robot::CameraSpec& camera) : range_(camera.depth) {
   const Eigen::Vector2d reach = robot::ReachOf(camera);
   const double focal = std::max(camera.focal[0], camera.focal[1]);
   const auto pixels = [](double length) {
@@ -73,6 +73,19 @@ const Image& LensTable::Bend(const Image& straight, double light) {
     }
   }
   return bent_;
+}
+
+DepthImage LensTable::BendDepths(const std::vector<float>& straight) const {
+  DepthImage depths{.width = bent_.width, .height = bent_.height, .mm = {}};
+  depths.mm.reserve(sources_.size());
+  for (const Source& source : sources_) {
+    const int at = source.offset / 3 + (source.right < 128 ? 0 : 1) +
+                   (source.down < 128 ? 0 : straight_.width);
+    const double depth = straight[static_cast<std::size_t>(at)];
+    const bool within = depth >= range_[0] && depth <= range_[1];
+    depths.mm.push_back(within ? static_cast<std::uint16_t>(std::lround(1000 * depth)) : 0);
+  }
+  return depths;
 }
 
 }  // namespace understudy::viewer

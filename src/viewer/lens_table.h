@@ -1,6 +1,7 @@
 // Turns pictures as OpenGL draws them, without a lens, into those of a camera.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,10 @@ class LensTable {
   // Returns the camera's picture of a straight one, with that share of its light.
   const Image& Bend(const Image& straight, double light);
 
+  // Returns the camera's depths of straight ones [m]: each that of the nearest pixel, 0 outside the
+  // camera's range.
+  DepthImage BendDepths(const std::vector<float>& straight) const;
+
  private:
   // Where a pixel comes from: the upper left of four pixels, and how far into them, in 1/256.
   struct Source {
@@ -31,6 +36,7 @@ class LensTable {
 
   Source SourceAt(const Eigen::Vector2d& at) const;
 
+  std::array<double, 2> range_;  // m, of depths
   PictureSize straight_;
   std::vector<Source> sources_;  // by pixel
   Image bent_;

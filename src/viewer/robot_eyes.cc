@@ -1,5 +1,6 @@
 #include "viewer/robot_eyes.h"
 
+#include <array>
 #include <exception>
 #include <utility>
 
@@ -22,20 +23,23 @@ robot::CameraSpec ReadCamera(const nlohmann::json& order) {
   camera.centre = order.at("centre");
   camera.distortion = order.at("distortion");
   camera.quality = order.at("quality");
+  camera.depth = order.at("range");
   camera.video_hz = order.at("video_hz");
   return camera;
 }
 
-// The length of the JPEG in four bytes, the JPEG, the frame; each is empty where it is not asked
-// for.
+// The lengths of JPEG and depth in four bytes each, the JPEG, the depth, the frame; each is empty
+// where it is not asked for.
 std::string Answer(const nlohmann::json& order, const SceneState& state, RobotEyes* eyes) {
   const robot::CameraSpec camera = ReadCamera(order);
   const Image* picture = order.at("again") ? eyes->Last(camera) : nullptr;
   if (picture == nullptr) picture = &eyes->See(camera, order.at("light"), state);
   const std::string jpeg = order.at("jpeg") ? EncodeJpeg(*picture, camera.quality) : "";
-  const auto length = static_cast<std::uint32_t>(jpeg.size());
-  std::string answer(reinterpret_cast<const char*>(&length), sizeof length);
-  answer += jpeg;
+  const std::string depth = order.at("depth") ? eyes->Depth(camera) : "";
+  const std::array<std::uint32_t, 2> lengths{static_cast<std::uint32_t>(jpeg.size()),
+                                             static_cast<std::uint32_t>(depth.size())};
+  std::string answer(reinterpret_cast<const char*>(lengths.data()), sizeof lengths);
+  answer += jpeg + depth;
   if (order.at("frame")) answer += eyes->Film(camera, *picture, state.time);
   return answer;
 }
@@ -64,6 +68,11 @@ const Image& RobotEyes::See(const robot::CameraSpec& camera, double light,
 const Image* RobotEyes::Last(const robot::CameraSpec& camera) const {
   const auto eye = eyes_.find(camera.name);
   return eye == eyes_.end() ? nullptr : eye->second.last;
+}
+
+std::string RobotEyes::Depth(const robot::CameraSpec& camera) {
+  Eye& eye = eyes_.at(camera.name);
+  return EncodePng(eye.lens.BendDepths(eye.canvas.Depths(&stage_)));
 }
 
 std::string RobotEyes::Film(const robot::CameraSpec& camera, const Image& picture, double time) {

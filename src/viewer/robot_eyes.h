@@ -30,6 +30,9 @@ class RobotEyes {
   // Returns the camera's last picture; null before the first.
   const Image* Last(const robot::CameraSpec& camera) const;
 
+  // Returns a PNG of the depths of what the camera's last picture shows. Throws SetupError.
+  std::string Depth(const robot::CameraSpec& camera);
+
   // Returns the frame of the camera's video that shows its picture. Throws SetupError.
   std::string Film(const robot::CameraSpec& camera, const Image& picture, double time);
 

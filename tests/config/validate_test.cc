@@ -42,6 +42,8 @@ TEST_F(ValidateTest, TellsWhatDoesNotFitAndWhatDoes) {
       {"robot.cameras=[{name: a}, {name: a}]", "robot.cameras.1.name: there is a 'a' already"},
       {"robot.cameras=[{name: a, service: videhub}]",
        "robot.cameras.0.service: no service 'videhub'; did you mean 'videohub'?"},
+      {"robot.cameras=[{name: a, depth: [10, 1]}]",
+       "robot.cameras.0.depth: expected the nearest before the farthest"},
       {"robot.cameras=[{name: a, distortion: [-2, 0, 0, 0]}]",
        "robot.cameras.0.distortion: expected a lens that shows each direction once, within 80° of "
        "its axis"},

@@ -1,5 +1,5 @@
 """The pictures and the video of robots' cameras, read with the vendor's Python SDK and from the network, and decoded by
-ffmpeg: what stands in front is where the lens has it."""
+ffmpeg and PyAV: what stands in front is where the lens has it."""
 
 import subprocess
 
@@ -127,7 +127,8 @@ def video(rehearse, tmp_path_factory):
     folder = tmp_path_factory.mktemp("video")
     (folder / "scene.xml").write_text(SCENE)
     options = ("--start", "clamped", "--scene", str(folder / "scene.xml"))
-    run = rehearse("go2", "video_watch.py", "1720", str(folder / "frames.rgb"), "10", options=options, patience=120)
+    run = rehearse("go2", "video_watch.py", "1720", str(folder / "frames.rgb"), str(folder / "by_pyav.rgb"), "10",
+                   options=options, patience=120)
     assert run.succeeded()
     return run.report, folder / "frames.rgb"
 
@@ -135,6 +136,11 @@ def video(rehearse, tmp_path_factory):
 def test_ffmpeg_joins_the_stream_in_its_middle_and_sees_the_box(video):
     _, frames = video
     assert_shows_the_box(last_frame(frames))
+
+
+def test_pyav_joins_it_too(video):
+    _, frames = video
+    assert_shows_the_box(last_frame(frames.with_name("by_pyav.rgb")))
 
 
 def test_the_stream_is_rtp_with_frames_to_join_at_every_two_seconds(video):

@@ -38,6 +38,7 @@ class CamerasTest : public test::MujocoTest {
     robot::CameraSpec front, back;
     front.name = "front";
     front.service = "videohub";
+    front.depth = {0.25, 8};
     back.name = "back";
     back.service = "back_videohub";
     back.quality = 40;
@@ -181,7 +182,7 @@ TEST_F(CamerasTest, SeeLessLightAndTheSamePictureAndNoneByFault) {
 }
 
 TEST_F(CamerasTest, ShowTheSamePictureToWhoLooksAndToTheService) {
-  std::future<Picture> first = cameras_->Look(0), second = cameras_->Look(0);
+  std::future<Picture> first = cameras_->Look(0, false), second = cameras_->Look(0, false);
   cameras_->Begin("videohub");
   Step();
   EXPECT_EQ(Taken(), "front 90 1.00 0.001");
@@ -193,9 +194,9 @@ TEST_F(CamerasTest, ShowTheSamePictureToWhoLooksAndToTheService) {
 }
 
 TEST_F(CamerasTest, ShowALookThatComesLaterALaterPicture) {
-  std::future<Picture> early = cameras_->Look(1);
+  std::future<Picture> early = cameras_->Look(1, false);
   Step();
-  std::future<Picture> late = cameras_->Look(1);
+  std::future<Picture> late = cameras_->Look(1, false);
   Take();
   EXPECT_EQ(late.wait_for(std::chrono::seconds(0)), std::future_status::timeout);
   Step();
@@ -203,6 +204,23 @@ TEST_F(CamerasTest, ShowALookThatComesLaterALaterPicture) {
   const Picture seen = late.get();
   EXPECT_EQ(std::string(seen.jpeg->begin(), seen.jpeg->end()), "back 40 1.00 0.002");
   EXPECT_EQ(early.get().outcome, kDrawn);
+}
+
+TEST_F(CamerasTest, MeasureDepthForWhoLooksForIt) {
+  std::future<Picture> without = cameras_->Look(0, false);
+  Step();
+  Take();
+  EXPECT_EQ(without.get().depth, nullptr);
+  std::future<Picture> of_another = cameras_->Look(1, true), with = cameras_->Look(0, true);
+  for (int i = 0; i < 2; ++i) {
+    Step();
+    Take();
+  }
+  const Picture seen = with.get();
+  ASSERT_NE(seen.depth, nullptr);
+  EXPECT_EQ(std::string(seen.depth->begin(), seen.depth->end()),
+            "depth of front within [0.25, 8.0]");
+  EXPECT_EQ(std::string(seen.jpeg->begin(), seen.jpeg->end()).substr(0, 5), "front");
 }
 
 TEST_F(CamerasTest, FilmWithTheFaultsOfTheirPictures) {

@@ -31,40 +31,49 @@ class FakeViews final : public CameraViews {
     cameras_[0].video_port = 1720;
     cameras_[1].name = "head";
     cameras_[1].width = 640;
+    cameras_[1].depth = {0.3, 10};
   }
   std::span<const robot::CameraSpec> cameras() const noexcept override { return cameras_; }
-  std::future<Picture> Look(std::size_t camera) override {
+  std::future<Picture> Look(std::size_t camera, bool depth) override {
     const std::lock_guard lock(mutex_);
-    asked_.emplace_back(camera, std::promise<Picture>());
-    return asked_.back().second.get_future();
+    asked_.push_back({camera, depth, {}});
+    return asked_.back().picture.get_future();
   }
   VideoCounts video(std::size_t camera) const noexcept override {
     return {.sent = 10 + camera, .missed = 3, .unsent = 2};
   }
   const Bell& news() const noexcept override { return news_; }
 
-  // Waits for that many looks, and shows each the name of its camera.
+  // Waits for that many looks, and shows each the name of its camera; its depth is "far".
   void Show(std::size_t looks, Picture::Outcome outcome = Picture::Outcome::kDrawn) {
     EXPECT_TRUE(test::Eventually([&] {
       const std::lock_guard lock(mutex_);
       return asked_.size() >= looks;
     }));
     const std::lock_guard lock(mutex_);
-    for (auto& [camera, picture] : asked_) {
-      const std::string& name = cameras_[camera].name;
-      picture.set_value(
-          {.outcome = outcome,
-           .jpeg = std::make_shared<const std::vector<std::uint8_t>>(name.begin(), name.end())});
+    const auto bytes = [](const std::string& text) {
+      return std::make_shared<const std::vector<std::uint8_t>>(text.begin(), text.end());
+    };
+    for (Asked& asked : asked_) {
+      asked.picture.set_value({.outcome = outcome,
+                               .jpeg = bytes(cameras_[asked.camera].name),
+                               .depth = asked.depth ? bytes("far") : nullptr});
     }
     asked_.clear();
     news_.Ring();
   }
 
  private:
+  struct Asked {
+    std::size_t camera = 0;
+    bool depth = false;
+    std::promise<Picture> picture;
+  };
+
   std::vector<robot::CameraSpec> cameras_;
   Bell news_;
   std::mutex mutex_;
-  std::vector<std::pair<std::size_t, std::promise<Picture>>> asked_;
+  std::vector<Asked> asked_;
 };
 
 class ViewDeskTest : public ::testing::Test {
@@ -93,6 +102,18 @@ TEST_F(ViewDeskTest, EachWhoLooksGetsThePictureOfItsCamera) {
   EXPECT_EQ(front.get().body, "front");
   EXPECT_EQ(head.get().body, "head");
   EXPECT_EQ(again.get().status, 200u);
+}
+
+TEST_F(ViewDeskTest, WhoLooksForDepthGetsThatOfACameraThatMeasuresIt) {
+  Start();
+  auto depth = Look("head/depth"), picture = Look("head");
+  views_.Show(2);
+  EXPECT_EQ(depth.get().body, "far");
+  EXPECT_EQ(picture.get().body, "head");
+  const client::ControlReply none = Look("front/depth").get();
+  EXPECT_EQ(none.status, 404u);
+  EXPECT_THAT(none.body, HasSubstr("the camera front measures no depth"));
+  EXPECT_THAT(Look("haed/depth").get().body, HasSubstr("did you mean 'head'?"));
 }
 
 TEST_F(ViewDeskTest, WhoWaitsForAPictureDelaysNobody) {
@@ -132,6 +153,8 @@ TEST_F(ViewDeskTest, NamesTheCamerasAndTheNearestOne) {
   EXPECT_EQ(told[0]["service"], "videohub");
   EXPECT_EQ(told[1]["name"], "head");
   EXPECT_EQ(told[1]["width"], 640);
+  EXPECT_EQ(told[0]["depth"], false);
+  EXPECT_EQ(told[1]["depth"], true);
   EXPECT_EQ(told[0]["video"]["port"], 1720);
   EXPECT_EQ(told[1]["video"]["sent"], 11);
   EXPECT_EQ(told[1]["video"]["missed"], 3);

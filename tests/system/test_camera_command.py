@@ -1,17 +1,22 @@
 """`understudy camera`, and the example that publishes what it shows."""
 
+import json
+import math
 import os
 import pathlib
 import signal
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 import zmq
 
 UNDERSTUDY = os.environ["UNDERSTUDY"]
 EXAMPLE = pathlib.Path(__file__).parents[2] / "examples" / "python" / "image_server.py"
 BEGIN, END = b"\xff\xd8", b"\xff\xd9"
+PITCH, FOCAL_V, CENTRE_V = 0.8307767, 606.3, 247.6  # of a G1's: rad, pixels
+CAMERA_OVER_BASE = 0.42987 + 0.044  # m: over the torso, and that over the pelvis
 
 
 def size_of(jpeg):
@@ -27,7 +32,7 @@ def robot(play):
 
 def test_a_camera_is_listed_and_its_picture_saved_once(robot, understudy, tmp_path):
     listed = understudy("camera").stdout.split("\n")
-    assert listed[1].split() == ["head", "640x480", "none", "none"]
+    assert listed[1].split() == ["head", "640x480", "yes", "none", "none"]
     file = tmp_path / "head.jpg"
     assert understudy("camera", "head", "--out", file).returncode == 0
     assert size_of(file.read_bytes()) == "640,480"
@@ -58,6 +63,37 @@ def test_a_stream_has_whole_pictures_and_ends_in_time_or_with_its_reader(robot):
         assert reader_gone.stdout.read(2) == BEGIN
         reader_gone.stdout.close()
         assert reader_gone.wait(60) == -signal.SIGPIPE
+
+
+def test_its_depth_is_that_of_the_ground_before_it(robot, understudy, tmp_path):
+    file = tmp_path / "depth.png"
+    assert understudy("camera", "head", "--depth", "--out", file).returncode == 0
+    raw = ["ffmpeg", "-loglevel", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "gray16le", "-"]
+    depth = np.frombuffer(subprocess.run(raw, capture_output=True, check=True).stdout, "<u2").reshape(480, 640) / 1000
+    # How far down a pixel's point lies below the camera, which looks PITCH below the horizon.
+    down = (np.arange(480) - CENTRE_V)[:, np.newaxis] / FOCAL_V
+    below = depth * (math.sin(PITCH) + down * math.cos(PITCH))
+    base = json.loads(understudy("ctl", "snapshot", "--parts", "qpos").stdout)["qpos"][2]
+    ground = below[:240]  # its upper half, where no part of the robot is
+    assert (ground > 0).mean() > 0.9
+    assert np.median(ground) == pytest.approx(base + CAMERA_OVER_BASE, abs=0.02)
+    assert np.percentile(np.abs(ground - np.median(ground)), 80) < 0.01
+    refused = understudy("camera", "head", "--depth", "--out", file)
+    assert refused.returncode == 9 and "exists already" in refused.stderr
+
+
+def test_a_stream_of_depth_is_files_of_png(robot):
+    command = [UNDERSTUDY, "camera", "head", "--depth", "--out", "-", "--hz", "20", "--seconds", "3"]
+    done = subprocess.run(command, capture_output=True, timeout=60)
+    assert done.returncode == 0 and done.stdout.startswith(b"\x89PNG") and done.stdout.count(b"IEND") >= 1
+
+
+def test_a_camera_that_measures_no_depth_says_so(play, understudy, tmp_path):
+    play("go2")
+    assert understudy("camera").stdout.split("\n")[1].split()[:3] == ["front", "1280x720", "none"]
+    refused = understudy("camera", "front", "--depth", "--out", tmp_path / "depth.png")
+    assert refused.returncode == 1 and "the camera front measures no depth" in refused.stderr
+    assert not (tmp_path / "depth.png").exists()
 
 
 def test_a_camera_that_loses_every_picture_sends_none_until_that_is_over(robot, understudy):

@@ -64,6 +64,13 @@ def test_a_refusal_names_the_option_as_it_was_typed(understudy, arguments):
     assert "--set" not in done.stderr
 
 
+def test_the_ground_of_a_scan_is_a_scene_and_is_not_written(understudy, tmp_path):
+    done = understudy("terrain", "office.ply", "--out", tmp_path / "office")
+
+    refused(done, MODEL, "office.ply is a scan", "--scene office.ply")
+    assert not (tmp_path / "office").exists()
+
+
 @pytest.mark.parametrize(("limit", "words"), [
     (["--nofile", "8"], "files that this process may open (ulimit -n)"),
     (["--nofile", "18"], ""),

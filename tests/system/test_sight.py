@@ -1,15 +1,23 @@
 """What a Go2's lidar saw, read from its recording by a reader of ROS 2 bags that knows none of our types."""
 
 import math
+import sys
+from unittest import mock
 
 import numpy as np
 import pytest
 from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 
+from clouds import points_of, rotation_of
 from rehearsals import rehearse_fixture
 
+# What open3d draws in a browser with; no plane needs it.
+sys.modules.update({module: mock.MagicMock() for module in ("dash", "plotly", "plotly.graph_objects")})
+import open3d  # noqa: E402
+
 FACE = 1.0  # m: x of the wall's face
+TOO_HIGH = 0.02467  # m: all of cloud_base, as a real one's (base_pos in config/robots/go2.yaml)
 WALL = f"""<mujoco><worldbody>
   <geom type="plane" size="0 0 1"/>
   <geom type="box" size="0.1 1 0.5" pos="{FACE + 0.1} 0 0.5"/>
@@ -38,20 +46,6 @@ script:
 expect:
   - {{always: base.tilt < 30 deg, name: stands}}
 """
-
-
-def rotation_of(q):
-    w, x, y, z = q.w, q.x, q.y, q.z
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
-
-
-def points_of(cloud):
-    """Rows of x, y, z in the cloud's frame."""
-    offsets = {field.name: field.offset for field in cloud.fields}
-    rows = np.asarray(cloud.data).reshape(-1, cloud.point_step)
-    return np.column_stack([rows[:, offsets[axis]:offsets[axis] + 4].copy().view("<f4") for axis in "xyz"]).astype(float)
 
 
 @pytest.fixture(params=["wall.xml", "wall.obj"])
@@ -96,3 +90,20 @@ def test_the_ground_is_a_plane_beneath_it(seen):
     middle = ground.mean(axis=0)
     normal = np.linalg.svd(ground - middle, full_matrices=False)[2][2]
     assert math.degrees(math.acos(abs(normal[2]))) < 1
+
+
+def planes_of(points):
+    """The four largest, one after another: unit normals, and what is to be added to a point's part along it."""
+    cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(points))
+    open3d.utility.random.seed(1)
+    for _ in range(4):
+        plane, inside = cloud.segment_plane(distance_threshold=0.02, ransac_n=3, num_iterations=1000)
+        yield np.array(plane) / np.linalg.norm(plane[:3])
+        cloud = cloud.select_by_index(inside, invert=True)
+
+
+@pytest.mark.parametrize(("middle", "normal"), [((FACE, 0, 0.5), (1, 0, 0)), ((0, 0, 0), (0, 0, 1))])
+def test_open3d_finds_the_wall_and_the_ground_by_itself(seen, middle, normal):
+    planes = planes_of(seen - [0, 0, TOO_HIGH])
+    off = [(math.degrees(math.acos(min(1, abs(plane[:3] @ normal)))), abs(plane[:3] @ middle + plane[3])) for plane in planes]
+    assert min(off)[0] < 1 and min(off)[1] < 0.02, off

@@ -1,6 +1,8 @@
 #include "viewer/lens_table.h"
 
+#include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -65,6 +67,51 @@ TEST(LensTableTest, DimsThePicture) {
   const Image straight = Slopes(lens.straight());
   EXPECT_EQ(lens.Bend(straight, 0.1).rgb[2], 10);
   EXPECT_EQ(lens.Bend(straight, 0).rgb[2], 0);
+}
+
+TEST(LensTableTest, TakesEachDepthFromTheNearestPixel) {
+  robot::CameraSpec camera = Camera();
+  camera.depth = {0.3, 10};
+  LensTable lens(camera);
+  const PictureSize straight = lens.straight();
+  std::vector<float> slope;  // 1 m at the left and at the top, 1 cm more with each pixel
+  for (int y = 0; y < straight.height; ++y) {
+    for (int x = 0; x < straight.width; ++x) slope.push_back(1 + 0.01F * static_cast<float>(x + y));
+  }
+  const DepthImage bent = lens.BendDepths(slope);
+  ASSERT_EQ(bent.mm.size(), 320U * 180U);
+  ASSERT_EQ(bent.width, 320);
+  const double reach = robot::ReachOf(camera).y();
+  double off = 0;
+  int seen = 0;
+  for (int v = 0; v < 180; v += 7) {
+    for (int u = 0; u < 320; u += 7, ++seen) {
+      const Eigen::Vector2d at =
+          robot::DirectionOf(camera, Eigen::Vector2d(u, v)) * straight.height / (2 * reach);
+      const double expected =
+          1000 + 10 * (at.x() + at.y() + (straight.width + straight.height - 2) / 2.0);
+      const double depth = bent.mm[static_cast<std::size_t>(v * 320 + u)];
+      EXPECT_NEAR(depth, expected, 15) << u << ", " << v;
+      off += depth - expected;
+    }
+  }
+  EXPECT_NEAR(off / seen, 0, 1) << "of a pixel's 10";
+}
+
+TEST(LensTableTest, KnowsNoDepthOutsideTheCamerasRange) {
+  robot::CameraSpec camera = Camera();
+  camera.depth = {0.3, 10};
+  LensTable lens(camera);
+  const PictureSize straight = lens.straight();
+  const auto seen = [&](float depth) {
+    const std::vector<float> even(static_cast<std::size_t>(straight.width * straight.height),
+                                  depth);
+    return lens.BendDepths(even).mm[1000];
+  };
+  EXPECT_EQ(seen(0.29F), 0);
+  EXPECT_EQ(seen(0.31F), 310);
+  EXPECT_EQ(seen(9.99F), 9990);
+  EXPECT_EQ(seen(10.01F), 0);
 }
 
 }  // namespace

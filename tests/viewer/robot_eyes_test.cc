@@ -1,9 +1,12 @@
 // Draws with the OpenGL of this machine, usually Mesa's software renderer.
 #include "viewer/robot_eyes.h"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include "base/errors.h"
 #include "robot/lens.h"
@@ -60,6 +63,43 @@ TEST(RobotEyesTest, KeepsTheLastPictureOfEachCamera) {
   EXPECT_EQ(eyes.Last(Above())->rgb, first.rgb);
   eyes.See(Above(), 0.5, BallAt(4));
   EXPECT_NE(eyes.Last(Above())->rgb, first.rgb);
+}
+
+// Of a PNG of 16 bits: the value of that pixel.
+int DepthAt(const std::string& png, png_uint_32 column, png_uint_32 row) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  EXPECT_NE(png_image_begin_read_from_memory(&image, png.data(), png.size()), 0) << image.message;
+  EXPECT_EQ(image.format, PNG_FORMAT_LINEAR_Y);
+  std::vector<std::uint16_t> grey(std::size_t{image.width} * image.height);
+  EXPECT_NE(png_image_finish_read(&image, nullptr, grey.data(), 0, nullptr), 0) << image.message;
+  return grey[row * image.width + column];
+}
+
+TEST(RobotEyesTest, MeasuresAlongItsAxisWithinItsRange) {
+  RobotEyes eyes(BallModel(), "");
+  robot::CameraSpec camera = Above();
+  camera.depth = {1, 30};
+  eyes.See(camera, 1, BallAt(0));
+  const std::string all = eyes.Depth(camera);
+  EXPECT_NEAR(DepthAt(all, 10, 60), 20000, 5) << "the floor";
+  EXPECT_NEAR(DepthAt(all, 10, 10), 20000, 5) << "as far along the axis, where it is farther away";
+  // 6.5 pixels off its middle, 0.64 m of the ball's 1 m.
+  EXPECT_NEAR(DepthAt(all, 86, 60), 14230, 30) << "the ball, whose middle is 15 m away";
+  EXPECT_NEAR(DepthAt(all, 86, 67), DepthAt(all, 86, 52), 30);
+}
+
+TEST(RobotEyesTest, MeasuresTheLastPictureAsItsRowsLie) {
+  RobotEyes eyes(BallModel(), "");
+  robot::CameraSpec camera = Above();
+  camera.depth = {1, 19};
+  SceneState low = BallAt(0);
+  low.qpos[1] = -4;  // towards the lower edge of the picture
+  eyes.See(camera, 1, low);
+  const std::string depth = eyes.Depth(camera);
+  EXPECT_NEAR(DepthAt(depth, 73, 98), 14250, 80) << "the ball";
+  EXPECT_EQ(DepthAt(depth, 73, 21), 0) << "the floor, beyond its range";
+  EXPECT_EQ(eyes.Depth(camera), depth);
 }
 
 TEST(RobotEyesTest, FilmsAsFramesOfWhichTheFirstStandsForItself) {

@@ -1,7 +1,7 @@
 """Reads a camera's stream as RTP for some seconds; meanwhile ffmpeg joins it in its middle and decodes a few frames to
-a file, and LowState is read with the vendor's Python SDK. Prints what it found as one JSON object.
+a file, then PyAV to another, and LowState is read with the vendor's Python SDK. Prints what it found as one JSON object.
 
-    video_watch.py PORT FILE SECONDS
+    video_watch.py PORT FILE FILE_OF_PYAV SECONDS
 """
 
 import pathlib
@@ -13,6 +13,7 @@ import tempfile
 import threading
 import time
 
+import av
 from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelSubscriber
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import LowState_
 
@@ -46,21 +47,38 @@ def type_of(payload):
     return kind if kind != 28 else payload[1] & 31 if payload[1] & 128 else 0
 
 
-def decode(port, file):
+def decode_by_pyav(sdp, file):
+    """Of what comes before a frame that stands for itself a decoder may complain."""
+    frames = 0
+    with av.open(str(sdp), options={"protocol_whitelist": "file,udp,rtp"}, timeout=50) as stream, open(file, "wb") as out:
+        for packet in stream.demux(video=0):
+            try:
+                decoded = packet.decode()
+            except av.error.InvalidDataError:
+                continue
+            for frame in decoded:
+                out.write(frame.to_ndarray(format="rgb24").tobytes())
+                frames += 1
+            if frames >= FRAMES:
+                return
+
+
+def decode(port, file, file_of_pyav):
     with tempfile.TemporaryDirectory() as folder:
         sdp = pathlib.Path(folder) / "robot.sdp"
         sdp.write_text(SDP.format(group=GROUP, port=port))
         subprocess.run(["ffmpeg", "-loglevel", "fatal", "-protocol_whitelist", "file,udp,rtp", "-i", sdp, "-frames:v",
                         str(FRAMES), "-f", "rawvideo", "-pix_fmt", "rgb24", file], check=True, timeout=50)  # fmt: skip
+        decode_by_pyav(sdp, file_of_pyav)
 
 
-def main(port, file, seconds):
+def main(port, file, file_of_pyav, seconds):
     ChannelFactoryInitialize(0, "lo")
     states = []
     channel = ChannelSubscriber("rt/lowstate", LowState_)
     channel.Init(lambda state: states.append((time.monotonic(), state.tick)), 50)
     member = joined(port)
-    decoder = threading.Thread(target=decode, args=(port, file))
+    decoder = threading.Thread(target=decode, args=(port, file, file_of_pyav))
     packets, end = [], None
     while end is None or time.monotonic() < end or decoder.is_alive():
         try:
@@ -90,4 +108,4 @@ def main(port, file, seconds):
     })  # fmt: skip
 
 
-main(int(sys.argv[1]), sys.argv[2], float(sys.argv[3]))
+main(int(sys.argv[1]), *sys.argv[2:4], float(sys.argv[4]))

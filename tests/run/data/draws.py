@@ -26,6 +26,7 @@ while order := receive():
         picture = last.get(order["camera"], picture)
     last[order["camera"]] = picture
     jpeg = picture if order["jpeg"] else b""
+    depth = f"depth of {order['camera']} within {order['range']}".encode() if order["depth"] else b""
     frame = b"\0\0\1\x65" + picture if order["frame"] else b""
-    reply = b"-no OpenGL" if place.name == "dark" else b"+" + struct.pack("I", len(jpeg)) + jpeg + frame
+    reply = b"-no OpenGL" if place.name == "dark" else b"+" + struct.pack("II", len(jpeg), len(depth)) + jpeg + depth + frame
     talk.sendall(struct.pack("I", len(reply)) + reply)
