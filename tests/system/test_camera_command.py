@@ -16,7 +16,8 @@ UNDERSTUDY = os.environ["UNDERSTUDY"]
 EXAMPLE = pathlib.Path(__file__).parents[2] / "examples" / "python" / "image_server.py"
 BEGIN, END = b"\xff\xd8", b"\xff\xd9"
 PITCH, FOCAL_V, CENTRE_V = 0.8307767, 606.3, 247.6  # of a G1's: rad, pixels
-CAMERA_OVER_BASE = 0.42987 + 0.044  # m: over the torso, and that over the pelvis
+AHEAD, UP = 0.0576235, 0.42987  # m: from the waist's joint to the camera, in the torso
+WAIST_OVER_BASE, WAIST_PITCH = 0.044, 21  # m; its place in qpos
 
 
 def size_of(jpeg):
@@ -67,16 +68,19 @@ def test_a_stream_has_whole_pictures_and_ends_in_time_or_with_its_reader(robot):
 
 def test_its_depth_is_that_of_the_ground_before_it(robot, understudy, tmp_path):
     file = tmp_path / "depth.png"
+    assert understudy("ctl", "pause").returncode == 0  # its waist gives way, slowly
     assert understudy("camera", "head", "--depth", "--out", file).returncode == 0
+    qpos = json.loads(understudy("ctl", "snapshot", "--parts", "qpos").stdout)["qpos"]
+    waist = qpos[WAIST_PITCH]
     raw = ["ffmpeg", "-loglevel", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "gray16le", "-"]
     depth = np.frombuffer(subprocess.run(raw, capture_output=True, check=True).stdout, "<u2").reshape(480, 640) / 1000
-    # How far down a pixel's point lies below the camera, which looks PITCH below the horizon.
+    # How far down a pixel's point lies below the camera, which looks PITCH below the torso's horizon.
     down = (np.arange(480) - CENTRE_V)[:, np.newaxis] / FOCAL_V
-    below = depth * (math.sin(PITCH) + down * math.cos(PITCH))
-    base = json.loads(understudy("ctl", "snapshot", "--parts", "qpos").stdout)["qpos"][2]
+    below = depth * (math.sin(PITCH + waist) + down * math.cos(PITCH + waist))
+    camera = qpos[2] + WAIST_OVER_BASE + UP * math.cos(waist) - AHEAD * math.sin(waist)
     ground = below[:240]  # its upper half, where no part of the robot is
     assert (ground > 0).mean() > 0.9
-    assert np.median(ground) == pytest.approx(base + CAMERA_OVER_BASE, abs=0.02)
+    assert np.median(ground) == pytest.approx(camera, abs=0.02)
     assert np.percentile(np.abs(ground - np.median(ground)), 80) < 0.01
     refused = understudy("camera", "head", "--depth", "--out", file)
     assert refused.returncode == 9 and "exists already" in refused.stderr
