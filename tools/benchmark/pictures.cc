@@ -22,8 +22,8 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// The focal lengths, in pixels, are those of the robot's own camera; the rest of its lens takes as
-// long whatever it is.
+// The focal lengths, in pixels, are those of the robot's own camera. How long the rest of a lens
+// takes does not depend on its figures.
 struct Size {
   const char* name;
   int width, height;
