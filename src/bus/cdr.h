@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -58,12 +57,13 @@ class CdrReader {
   };
   struct Arrivals {
     SpscRing<Arrival> ring{kArrivals};
-    std::atomic<std::uint64_t> count{0};
+    std::uint64_t count = 0;  // of all samples, also those for which there was no room
   };
   struct Listener;
 
   // Returns how many samples it took; sets `valid` to how many of them are messages.
   int TakeSome(std::array<CdrSample, kAtOnce>* samples, int* valid);
+  // Returns when the next sample to be taken arrived.
   std::int64_t ArrivalOfNext();
 
   std::unique_ptr<Arrivals> arrivals_ = std::make_unique<Arrivals>();

@@ -11,6 +11,7 @@
 #include <dds/ddsi/ddsi_serdata.h>
 
 #include "base/errors.h"
+#include "bus/listener.h"
 #include "bus/qos.h"
 
 namespace understudy::bus {
@@ -21,8 +22,6 @@ namespace {
 // takes some 0.1 µs.
 constexpr int kMostGathered = 256;
 constexpr std::size_t kAtOnce = 32;
-
-using ListenerPtr = std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)>;
 
 ReaderOptions InCyclone(ReaderOptions options) {
   options.depth = std::max(options.depth, kMostGathered);
@@ -59,7 +58,7 @@ struct ReaderCore::Listener {
   }
 
   static ListenerPtr To(Reports* reports) {
-    ListenerPtr listener(dds_create_listener(reports), &dds_delete_listener);
+    ListenerPtr listener = MakeListener(reports);
     dds_lset_data_available(listener.get(), &OnArrival);
     dds_lset_sample_lost(listener.get(), &OnLost);
     dds_lset_subscription_matched(listener.get(), &OnMatch);

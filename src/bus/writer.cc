@@ -11,13 +11,13 @@
 #include <dds/ddsi/ddsi_cdrstream.h>
 
 #include "base/errors.h"
+#include "bus/listener.h"
 #include "bus/qos.h"
 
 namespace understudy::bus {
 namespace {
 
 using Readers = std::atomic<std::uint32_t>;
-using ListenerPtr = std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)>;
 
 // Called by a thread of Cyclone. Named in cmake/tsan.supp.
 void NoteMatch(dds_entity_t, dds_publication_matched_status_t status, void* count) {
@@ -25,7 +25,7 @@ void NoteMatch(dds_entity_t, dds_publication_matched_status_t status, void* coun
 }
 
 ListenerPtr CountOnMatch(Readers* readers) {
-  ListenerPtr listener(dds_create_listener(readers), &dds_delete_listener);
+  ListenerPtr listener = MakeListener(readers);
   dds_lset_publication_matched(listener.get(), &NoteMatch);
   return listener;
 }

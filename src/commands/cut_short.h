@@ -12,8 +12,8 @@ namespace understudy::commands {
 // damage of a finished file is found only then.
 inline void TellCutShort(const record::RecordingReader& reader) {
   const std::string& why = reader.contents().cut_short;
-  if (!why.empty())
-    std::fprintf(stderr, "%s was cut short: %s\n", reader.path().c_str(), why.c_str());
+  if (why.empty()) return;
+  std::fprintf(stderr, "%s was cut short: %s\n", reader.path().c_str(), why.c_str());
 }
 
 }  // namespace understudy::commands

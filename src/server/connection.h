@@ -43,9 +43,9 @@ class Connections {
   Connections(const AccessRules* access, std::size_t most) : access_(access), most_(most) {}
 
   const AccessRules* access() const { return access_; }
-  // Whether there is a place for one more. If all are taken, the one for whose client we have
-  // waited longest loses its own.
-  bool HasRoom() {
+  // Returns whether there is a place for one more. If all are taken, the one for whose client we
+  // have waited longest loses its own.
+  bool MakeRoom() {
     if (open_.size() >= most_ && !waiting_.empty()) {
       const std::shared_ptr<Connection> oldest = open_.at(waiting_.front());
       Remove(oldest.get());

@@ -71,7 +71,7 @@ class Acceptor {
         timer_.async_wait([this](const error_code&) { Accept(); });
         return;
       }
-      if (connections_.HasRoom()) {
+      if (connections_.MakeRoom()) {
         connections_.Add(std::make_shared<Session>(std::move(socket), &connections_, shared_));
       } else {
         Session::RefuseBusy(&socket);
