@@ -45,6 +45,7 @@ class SetDown {
       touching -= kDownwards;
       if (touching < kLowest) return 0;
     }
+    if (EndsAt(-clearance, touching, free)) return 0;
     while (free - touching > kResolution) {
       const double middle = (free + touching) / 2;
       (Touches(middle) ? touching : free) = middle;
@@ -70,6 +71,14 @@ class SetDown {
       }
     }
     return false;
+  }
+
+  // Whether the robot begins to touch within kSameGround of `lift`, as on level ground, which two
+  // looks between `touching` and `free` tell instead of a search.
+  bool EndsAt(double lift, double touching, double free) {
+    constexpr double kNear = kSameGround - 2 * kResolution;
+    return touching < lift - kNear && lift + kNear < free && Touches(lift - kNear) &&
+           !Touches(lift + kNear);
   }
 
   // Returns the lowest point of the robot's colliding geoms [m]; infinity if there are none.
