@@ -16,6 +16,7 @@ namespace {
 
 using enum EventFieldType;
 using enum EventLevel;
+using enum EventPace;
 
 std::string What(const Event& event) { return event.text.data(); }
 
@@ -139,31 +140,33 @@ std::string SayUnheeded(const Event& event, std::uint64_t) {
   return text;
 }
 
-constexpr EventRow Row(EventKind kind, std::string_view name, EventLevel level, bool bursts,
+constexpr EventRow Row(EventKind kind, std::string_view name, EventLevel level, EventPace pace,
                        const std::array<EventField, 5>& fields,
                        std::string (*say)(const Event& event, std::uint64_t count),
                        std::string_view when) {
-  return {kind, name, level, bursts, fields, say, when};
+  return {kind, name, level, pace, fields, say, when};
 }
 
-constexpr EventRow WorldRow(EventKind kind, std::string_view name, EventLevel level, bool bursts,
+constexpr EventRow WorldRow(EventKind kind, std::string_view name, EventLevel level, EventPace pace,
                             const std::array<EventField, 5>& fields,
                             std::string (*say)(const Event& event, std::uint64_t count),
                             std::string_view when) {
-  return {kind, name, level, bursts, fields, say, when, /*of_world=*/true};
+  return {kind, name, level, pace, fields, say, when, /*of_world=*/true};
 }
 
 constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
-        EventKind::kRefused, "refused", kWarning, true, {{{"reason", kReason}, {"topic", kText}}},
+        EventKind::kRefused, "refused", kWarning, kEverLess,
+        {{{"reason", kReason}, {"topic", kText}}},
         [](const Event& e, std::uint64_t n) { return SayRefusal("refused", ReasonOf(e), e, n); },
         "a command is refused"),
     Row(
-        EventKind::kTolerated, "tolerated", kInfo, true, {{{"reason", kReason}, {"topic", kText}}},
+        EventKind::kTolerated, "tolerated", kInfo, kPeriod,
+        {{{"reason", kReason}, {"topic", kText}}},
         [](const Event& e, std::uint64_t n) { return SayRefusal("tolerated", ReasonOf(e), e, n); },
         "a lenient gate takes a command whose form is wrong"),
     Row(
-        EventKind::kLostCommands, "lost_commands", kWarning, true,
+        EventKind::kLostCommands, "lost_commands", kWarning, kPeriod,
         {{{"commands", kSum}, {"topic", kText}}},
         [](const Event& e, std::uint64_t) {
           return SayRefusal("refused", robot::Refusal::kLost, e,
@@ -171,23 +174,23 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "commands are replaced by newer ones before they are read, or lost by the bus"),
     Row(
-        EventKind::kUnmatched, "unmatched", kWarning, true, {{{"writer", kText}}},
+        EventKind::kUnmatched, "unmatched", kWarning, kPeriod, {{{"writer", kText}}},
         [](const Event& e, std::uint64_t) {
           const bool other = What(e).find("another definition") != std::string::npos;
           return "nothing arrives on " + What(e) + (other ? kOtherCyclone : "");
         },
         "somebody writes a topic of the robot with another type or quality of service"),
-    Row(EventKind::kUnserved, "unserved", kWarning, false,
+    Row(EventKind::kUnserved, "unserved", kWarning, kEach,
         {{{"reads", kBool}, {"process", kInteger}, {"topic", kText}}}, SayUnserved,
         "a program reads a topic that nobody writes, or writes one of robots that nobody reads"),
-    Row(EventKind::kTimeout, "timeout", kWarning, true, {{{"topic", kText}}}, SayTimeout,
+    Row(EventKind::kTimeout, "timeout", kWarning, kPeriod, {{{"topic", kText}}}, SayTimeout,
         "commands stop"),
     Row(
-        EventKind::kFollowing, "following", kInfo, false, {{{"topic", kText}}},
+        EventKind::kFollowing, "following", kInfo, kEach, {{{"topic", kText}}},
         [](const Event& e, std::uint64_t) { return "the motors follow " + MessageOf(e); },
         "the first command of a topic is taken"),
     Row(
-        EventKind::kFirstCommand, "first_command", kSilent, false,
+        EventKind::kFirstCommand, "first_command", kSilent, kEach,
         {{{"jump", kNumber}, {"joint", kText}}},
         [](const Event& e, std::uint64_t) {
           return "the first LowCmd that asks for angles is " + Printed("%.3f", e.numbers[0]) +
@@ -196,7 +199,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "the first command of `rt/lowcmd` that asks a joint for an angle is taken; `jump` is the "
         "largest difference from a joint's own in `rt/lowstate` [rad], `joint` is the one"),
     Row(
-        EventKind::kUnheld, "unheld", kWarning, false, {{{"joints", kInteger}, {"which", kText}}},
+        EventKind::kUnheld, "unheld", kWarning, kEach, {{{"joints", kInteger}, {"which", kText}}},
         [](const Event& e, std::uint64_t) {
           const double more = e.numbers[0] - kMostNamed;
           return What(e) + (more > 0 ? Printed(" and %.0f more", more) : "") +
@@ -205,25 +208,25 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "the first command of a topic holds some joints and leaves others without gains and "
         "torque"),
     Row(
-        EventKind::kGate, "gate", kSilent, false, {{{"state", kGate}}},
+        EventKind::kGate, "gate", kSilent, kEach, {{{"state", kGate}}},
         [](const Event& e, std::uint64_t) {
           return "gate: " +
                  std::string(authority::Name(static_cast<authority::GateState>(e.numbers[0])));
         },
         "the gate of rt/lowcmd changes its state, and at the start"),
     Row(
-        EventKind::kMotionService, "motion_service", kInfo, false, {{{"service", kText}}},
+        EventKind::kMotionService, "motion_service", kInfo, kEach, {{{"service", kText}}},
         [](const Event& e, std::uint64_t) {
           return e.text[0] == '\0' ? "no motion service is on: motors follow rt/lowcmd"
                                    : "motion service " + What(e) + " moves the motors";
         },
         "another motion service is on, or none, and at the start"),
     Row(
-        EventKind::kMotion, "motion", kSilent, false,
+        EventKind::kMotion, "motion", kSilent, kEach,
         {{{"state", kInteger}, {"mode", kInteger}, {"name", kText}}},
         [](const Event& e, std::uint64_t) { return StateText(What(e), e.numbers[0]); },
         "the motion service changes its state"),
-    Row(EventKind::kUnheeded, "unheeded", kInfo, false,
+    Row(EventKind::kUnheeded, "unheeded", kInfo, kEach,
         {{{"reason", kWish},
           {"keys", kKeys},
           {"wish", kInteger},
@@ -233,33 +236,33 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "the remote controller asks for what the robot does not do: `no_motion_service` is on, not "
         "in this `state`, or `not_simulated`; `wish` is the state that is asked for, or -1"),
     Row(
-        EventKind::kRemote, "remote", kSilent, false, {{{"keys", kKeys}}},
+        EventKind::kRemote, "remote", kSilent, kEach, {{{"keys", kKeys}}},
         [](const Event& e, std::uint64_t) { return On(e) ? Keys(e.numbers[0]) : "keys released"; },
         "keys of the remote controller go down or up"),
     Row(
-        EventKind::kRequest, "request", kSilent, false, {},
+        EventKind::kRequest, "request", kSilent, kEach, {},
         [](const Event& e, std::uint64_t) { return e.request.row ? Describe(e.request) : ""; },
         "somebody makes a request that has no event of its own; reported under the name of [the "
         "request](reference/requests.md), such as `push`"),
     Row(
-        EventKind::kCrane, "crane", kSilent, false, {{{"attached", kBool}}},
+        EventKind::kCrane, "crane", kSilent, kEach, {{{"attached", kBool}}},
         [](const Event& e, std::uint64_t) -> std::string {
           return On(e) ? "hangs from the crane" : "released from the crane";
         },
         "the robot is attached to the crane or released"),
     Row(
-        EventKind::kClamp, "clamp", kSilent, false, {{{"on", kBool}}},
+        EventKind::kClamp, "clamp", kSilent, kEach, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) -> std::string {
           return On(e) ? "clamped" : "unclamped";
         },
         "the clamp closes or opens"),
     Row(
-        EventKind::kSetting, "setting", kInfo, false,
+        EventKind::kSetting, "setting", kInfo, kEach,
         {{{"value", kNumber}, {"before", kNumber}, {"setting", kText}}},
         [](const Event& e, std::uint64_t) { return "set " + What(e); },
         "a setting changes while the robot runs; of words the first is 0"),
     Row(
-        EventKind::kFault, "fault", kInfo, false,
+        EventKind::kFault, "fault", kInfo, kEach,
         {{{"fault", kFault}, {"on", kBool}, {"by", kNumber}, {"component", kText}}},
         [](const Event& e, std::uint64_t) {
           const robot::FaultKind& kind = FaultOf(e);
@@ -269,7 +272,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "something is wrong with a component of the robot, or no longer"),
     Row(
-        EventKind::kMotorHeat, "motor_heat", kWarning, false,
+        EventKind::kMotorHeat, "motor_heat", kWarning, kEach,
         {{{"state", kInteger}, {"winding", kNumber}, {"joint", kText}}},
         [](const Event& e, std::uint64_t) {
           return What(e) + ": the winding is at " + Printed("%.0f °C", e.numbers[1]) +
@@ -279,11 +282,11 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "a motor becomes so hot that it gives less torque (1) or none (2), or cool again (0)"),
     Row(
-        EventKind::kPower, "power", kInfo, false, {{{"state", kText}}},
+        EventKind::kPower, "power", kInfo, kEach, {{{"state", kText}}},
         [](const Event& e, std::uint64_t) { return "power: " + What(e); },
         "the robot is switched on and boots (`booting`), has booted (`on`) or is off (`off`)"),
     Row(
-        EventKind::kCutOff, "cut_off", kError, false, {{{"reason", kInteger}}},
+        EventKind::kCutOff, "cut_off", kError, kEach, {{{"reason", kInteger}}},
         [](const Event& e, std::uint64_t) -> std::string {
           constexpr std::array<std::string_view, 4> kReasons = {
               "is on again",
@@ -296,13 +299,13 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "the battery cuts off its bus for current (1), voltage (2) or being empty (3), or is on "
         "again (0)"),
     Row(
-        EventKind::kLowBattery, "low_battery", kWarning, false, {{{"charge", kNumber}}},
+        EventKind::kLowBattery, "low_battery", kWarning, kEach, {{{"charge", kNumber}}},
         [](const Event& e, std::uint64_t) {
           return "the battery is down to " + Printed("%.0f %%", 100 * e.numbers[0]) +
                  " of its charge";
         },
         "the charge falls below robot.battery.low_soc, the first time"),
-    Row(EventKind::kProtection, "protection", kWarning, false,
+    Row(EventKind::kProtection, "protection", kWarning, kEach,
         {{{"danger", kDanger},
           {"on", kBool},
           {"value", kNumber},
@@ -312,26 +315,26 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "the motion service protects the robot from a danger of [robot.motion.protection]"
         "(reference/config.md), or no longer"),
     WorldRow(
-        EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
+        EventKind::kPause, "pause", kInfo, kEach, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
           return (On(e) ? "paused at " : "resumed at ") + Printed("%.3f", e.time) + " s";
         },
         "the robot is paused or resumed"),
     WorldRow(
-        EventKind::kSpeed, "speed", kInfo, false, {{{"speed", kNumber}}},
+        EventKind::kSpeed, "speed", kInfo, kEach, {{{"speed", kNumber}}},
         [](const Event& e, std::uint64_t) {
           return "speed " + (On(e) ? Printed("%g", e.numbers[0]) : "as fast as possible");
         },
         "another speed is asked for"),
     WorldRow(
-        EventKind::kScript, "script", kSilent, false, {{{"event", kInteger}, {"where", kText}}},
+        EventKind::kScript, "script", kSilent, kEach, {{{"event", kInteger}, {"where", kText}}},
         [](const Event& e, std::uint64_t) { return What(e); }, "a script's request is given"),
     WorldRow(
-        EventKind::kScriptRefused, "script_refused", kWarning, true, {{{"why", kText}}},
+        EventKind::kScriptRefused, "script_refused", kWarning, kPeriod, {{{"why", kText}}},
         [](const Event& e, std::uint64_t n) { return "script: " + What(e) + Times(n); },
         "a script's request is refused"),
     WorldRow(
-        EventKind::kScriptWait, "script_wait", kInfo, false,
+        EventKind::kScriptWait, "script_wait", kInfo, kEach,
         {{{"event", kInteger}, {"seconds", kNumber}, {"came", kBool}, {"condition", kText}}},
         [](const Event& e, std::uint64_t) {
           const std::string seconds = Printed("%.3f s", e.numbers[1]);
@@ -341,26 +344,26 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "what a script waited for has come, or the script waits no longer"),
     WorldRow(
-        EventKind::kDivergence, "divergence", kError, true, {},
+        EventKind::kDivergence, "divergence", kError, kPeriod, {},
         [](const Event& e, std::uint64_t n) {
           return "the physics diverged at " + Printed("%.3f", e.time) + " s" + Times(n);
         },
         "the physics diverges"),
     Row(
-        EventKind::kSilence, "silence", kWarning, false, {{{"on", kBool}}},
+        EventKind::kSilence, "silence", kWarning, kEach, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) -> std::string {
           return On(e) ? "sends nothing, because another robot is on this network" : "sends again";
         },
         "the robot stops publishing beside another robot, or publishes again"),
     Row(
-        EventKind::kWriters, "writers", kWarning, true, {{{"writers", kInteger}}},
+        EventKind::kWriters, "writers", kWarning, kPeriod, {{{"writers", kInteger}}},
         [](const Event& e, std::uint64_t) {
           return Printed("%.0f", e.numbers[0]) +
                  " programs write rt/lowcmd; the robot follows whichever wrote last";
         },
         "two programs or more write rt/lowcmd"),
     Row(
-        EventKind::kUnusedSlot, "unused_slot", kWarning, false, {},
+        EventKind::kUnusedSlot, "unused_slot", kWarning, kEach, {},
         [](const Event&, std::uint64_t) -> std::string {
           return "a LowCmd commands slots without a motor, each differently; the robot ignores "
                  "them. Does the program use this robot's motor order?";
@@ -368,34 +371,34 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "a LowCmd has gains or torque in slots without a motor, and not the same in all of them, "
         "the first time"),
     Row(
-        EventKind::kUnsetHead, "unset_head", kInfo, false, {},
+        EventKind::kUnsetHead, "unset_head", kInfo, kEach, {},
         [](const Event&, std::uint64_t) -> std::string {
           return "LowCmd comes without head and level_flag; it is taken here, but nobody has shown "
                  "that a real robot takes it";
         },
         "a LowCmd comes without head and level_flag, the first time"),
     Row(
-        EventKind::kWriteFailure, "write_failure", kError, true, {{{"messages", kSum}}},
+        EventKind::kWriteFailure, "write_failure", kError, kPeriod, {{{"messages", kSum}}},
         [](const Event& e, std::uint64_t) {
           return Plural(e.numbers[0], "message") + " could not be sent";
         },
         "the bus does not take messages"),
     WorldRow(
-        EventKind::kOverrun, "overrun", kSilent, true, {{{"worst", kWorst}}},
+        EventKind::kOverrun, "overrun", kSilent, kPeriod, {{{"worst", kWorst}}},
         [](const Event& e, std::uint64_t n) {
           return Plural(static_cast<double>(n), "tick") + " began late, the worst by " +
                  Printed("%.1f", e.numbers[0] * 1e3) + " ms";
         },
         "a tick begins more than one period late"),
     WorldRow(
-        EventKind::kStall, "stall", kWarning, true, {{{"seconds", kSum}}},
+        EventKind::kStall, "stall", kWarning, kPeriod, {{{"seconds", kSum}}},
         [](const Event& e, std::uint64_t) {
           return "simulated time has fallen " + Printed("%.1f", e.numbers[0]) +
                  " s behind wall time and does not catch up";
         },
         "a tick begins so late that it is not made up for"),
     Row(
-        EventKind::kCall, "call", kSilent, true,
+        EventKind::kCall, "call", kSilent, kPeriod,
         {{{"api", kCause}, {"code", kCause}, {"service", kText}}},
         [](const Event& e, std::uint64_t n) {
           const auto api = static_cast<std::int64_t>(e.numbers[0]);
@@ -404,7 +407,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
                  Times(n);
         },
         "a service is called; calls about leases only if they are refused"),
-    Row(EventKind::kCallRefused, "call_refused", kWarning, true,
+    Row(EventKind::kCallRefused, "call_refused", kWarning, kEverLess,
         {{{"reason", kCallReason},
           {"code", kInteger},
           {"state", kInteger},
@@ -412,33 +415,33 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           {"call", kText}}},
         SayCallRefusal, "a call of a service is refused or ignored"),
     WorldRow(
-        EventKind::kProgramStart, "program_start", kInfo, false, {{{"command", kText}}},
+        EventKind::kProgramStart, "program_start", kInfo, kEach, {{{"command", kText}}},
         [](const Event& e, std::uint64_t) { return "starting " + What(e); },
         "a rehearsal starts the program under test"),
     WorldRow(
-        EventKind::kProgramEnd, "program_end", kInfo, false, {{{"code", kInteger}}},
+        EventKind::kProgramEnd, "program_end", kInfo, kEach, {{{"code", kInteger}}},
         [](const Event& e, std::uint64_t) {
           return "the program ended with exit code " + Printed("%.0f", e.numbers[0]);
         },
         "that program has ended: its exit code, 128 + n if signal n ended it"),
     WorldRow(
-        EventKind::kProgramPrints, "program_prints", kSilent, true, {{{"text", kText}}},
+        EventKind::kProgramPrints, "program_prints", kSilent, kPeriod, {{{"text", kText}}},
         [](const Event& e, std::uint64_t n) {
           return "the program prints \"" + What(e) + "\"" + Times(n);
         },
         "a line of the program has a text for which a script or an expectation looks"),
     Row(
-        EventKind::kRecording, "recording", kInfo, false, {{{"on", kBool}, {"file", kText}}},
+        EventKind::kRecording, "recording", kInfo, kEach, {{{"on", kBool}, {"file", kText}}},
         [](const Event& e, std::uint64_t) {
           return (On(e) ? "recording to " : "finished the recording ") + What(e);
         },
         "a recording begins or is finished because of a request"),
     Row(
-        EventKind::kRecordingFailed, "recording_failed", kError, false, {{{"why", kText}}},
+        EventKind::kRecordingFailed, "recording_failed", kError, kEach, {{{"why", kText}}},
         [](const Event& e, std::uint64_t) { return "recording: " + What(e); },
         "a recording that was asked for cannot be made"),
     WorldRow(
-        EventKind::kLost, "lost", kWarning, true, {{{"events", kSum}}},
+        EventKind::kLost, "lost", kWarning, kPeriod, {{{"events", kSum}}},
         [](const Event& e, std::uint64_t) {
           return Plural(e.numbers[0], "event") + " came too fast to be reported";
         },

@@ -18,6 +18,10 @@ constexpr std::string_view Name(EventLevel level) {
   return kNames[static_cast<std::size_t>(level)];
 }
 
+// How often readers are told events of one cause: each, once per period with a count, or, while
+// they go on, after ever longer periods.
+enum class EventPace : std::uint8_t { kEach, kPeriod, kEverLess };
+
 // How a field is stored in an event and written as JSON. Each field takes the next of
 // Event::numbers, except kText, which is Event::text.
 enum class EventFieldType : std::uint8_t {
@@ -47,7 +51,7 @@ struct EventRow {
   EventKind kind;
   std::string_view name;  // in recordings and the control plane
   EventLevel level;
-  bool bursts;  // frequent: readers report each cause once per period
+  EventPace pace;
   std::array<EventField, 5> fields;
   std::string (*say)(const Event& event, std::uint64_t count);  // for people, without a full stop
   std::string_view when;                                        // it happens

@@ -128,7 +128,7 @@ json ToldEvent::detail() const {
   ForEachField(row, [&](const EventField& field, std::size_t number) {
     detail[std::string(field.name)] = Value(event, field.type, number);
   });
-  if (row.bursts) detail["count"] = count;
+  if (row.pace != EventPace::kEach) detail["count"] = count;
   return detail;
 }
 
@@ -139,7 +139,7 @@ EventLevel ToldEvent::level() const {
 
 std::optional<ToldEvent> EventDigest::Take(const ToldEvent& told, double now) {
   const Event& event = told.event;
-  if (!RowOf(event.kind).bursts) return told;
+  if (RowOf(event.kind).pace == EventPace::kEach) return told;
   auto cause = std::ranges::find_if(
       causes_, [&](const Cause& known) { return SameCause(known.held.event, event); });
   // A client may try any number of ids.
@@ -167,8 +167,7 @@ std::optional<ToldEvent> EventDigest::Take(const ToldEvent& told, double now) {
 }
 
 ToldEvent EventDigest::Tell(double now, bool goes_on, Cause* cause) const {
-  const EventKind kind = cause->held.event.kind;
-  const bool grows = kind == EventKind::kRefused || kind == EventKind::kCallRefused;
+  const bool grows = RowOf(cause->held.event.kind).pace == EventPace::kEverLess;
   cause->wait = grows && goes_on ? std::max(std::min(2 * cause->wait, longest_), period_) : period_;
   cause->told_at = now;
   return {.event = cause->held.event, .count = std::exchange(cause->held.count, 0)};

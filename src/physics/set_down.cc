@@ -34,6 +34,7 @@ class SetDown {
     mj_kinematics(&model_, data_);
     const double clearance = LowestPoint();
     if (!std::isfinite(clearance)) return 0;
+    free_above_ = HighestGround() - clearance;
     double free = 0;
     while (Touches(free)) {
       free += kUpwards;
@@ -45,6 +46,7 @@ class SetDown {
       touching -= kDownwards;
       if (touching < kLowest) return 0;
     }
+    if (EndsAt(-clearance, touching, free)) return 0;
     while (free - touching > kResolution) {
       const double middle = (free + touching) / 2;
       (Touches(middle) ? touching : free) = middle;
@@ -58,6 +60,7 @@ class SetDown {
   bool IsGround(int geom) const { return model_.body_weldid[model_.geom_bodyid[geom]] == 0; }
 
   bool Touches(double lift) {
+    if (lift > free_above_) return false;
     *z_ = start_ + lift;
     mj_kinematics(&model_, data_);
     mj_collision(&model_, data_);
@@ -72,6 +75,14 @@ class SetDown {
     return false;
   }
 
+  // Whether the robot begins to touch within kSameGround of `lift`, as on level ground, which two
+  // looks between `touching` and `free` tell instead of a search.
+  bool EndsAt(double lift, double touching, double free) {
+    constexpr double kNear = kSameGround - 2 * kResolution;
+    return touching < lift - kNear && lift + kNear < free && Touches(lift - kNear) &&
+           !Touches(lift + kNear);
+  }
+
   // Returns the lowest point of the robot's colliding geoms [m]; infinity if there are none.
   double LowestPoint() const {
     double lowest = std::numeric_limits<double>::infinity();
@@ -83,9 +94,24 @@ class SetDown {
     return lowest;
   }
 
+  // Returns a height [m] above which there is no ground; infinity if there is none.
+  double HighestGround() const {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (int geom = 0; geom < static_cast<int>(model_.ngeom); ++geom) {
+      if (!Collides(model_, geom) || !IsGround(geom)) continue;
+      const bool slopes =
+          model_.geom_type[geom] == mjGEOM_PLANE && data_->geom_xmat[9 * geom + 8] < 1;
+      if (slopes) return std::numeric_limits<double>::infinity();
+      highest = std::max(highest, data_->geom_xpos[3 * geom + 2] + model_.geom_rbound[geom]);
+    }
+    return highest;
+  }
+
   const mjModel& model_;
   mjData* data_;
   int robot_;  // root body
+  double free_above_ =
+      std::numeric_limits<double>::infinity();  // lift [m] at which nothing touches
   mjtNum* z_;
   mjtNum start_;
 };

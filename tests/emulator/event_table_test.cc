@@ -50,7 +50,7 @@ TEST(EventTableTest, StandsInTheDocumentOfRecordings) {
       if (field.name.empty()) break;
       fields += (fields.empty() ? "`" : ", `") + std::string(field.name) + "`";
     }
-    if (row.bursts) fields += fields.empty() ? "`count`" : ", `count`";
+    if (row.pace != EventPace::kEach) fields += fields.empty() ? "`count`" : ", `count`";
     EXPECT_THAT(text, testing::HasSubstr("| `" + std::string(row.name) + "` | " +
                                          std::string(row.when) + " | " + fields + " |\n"));
   }

@@ -61,6 +61,12 @@ TEST_F(SetDownTest, ChangesNothingOnGroundAtNull) {
   EXPECT_EQ(Base(Plane("0"), 1.3), 1.3);      // hanging
 }
 
+TEST_F(SetDownTest, TakesGroundWithinATenthOfAMillimetreForLevel) {
+  for (const char* level : {"0.00009", "-0.00009"}) EXPECT_EQ(Base(Plane(level), 0.3), 0.3);
+  EXPECT_NEAR(Base(Plane("0.00012"), 0.3), 0.30012, 2e-6);
+  EXPECT_NEAR(Base(Plane("-0.00012"), 0.3), 0.29988, 2e-6);
+}
+
 TEST_F(SetDownTest, StandsOnGroundThatIsHigher) {
   EXPECT_NEAR(Base(Plane("2.5"), 0.3), 2.8, 1e-5);
   EXPECT_NEAR(Base(Plane("0") + Box("0 0 .1"), 0.3), 0.5, 1e-5);
