@@ -24,6 +24,7 @@ robot::CameraSpec ReadCamera(const nlohmann::json& order) {
   camera.distortion = order.at("distortion");
   camera.quality = order.at("quality");
   camera.depth = order.at("range");
+  camera.baseline = order.at("baseline");
   camera.video_hz = order.at("video_hz");
   return camera;
 }
@@ -51,17 +52,30 @@ RobotEyes::RobotEyes(mjcf::ModelHandle model, const std::string& robot, const st
 
 RobotEyes::Eye::Eye(const robot::CameraSpec& spec, Stage* stage)
     : lens(spec), canvas(stage, lens.straight(), Canvas::Edges::kHard) {
-  mjv_defaultCamera(&camera);
-  camera.type = mjCAMERA_FIXED;
-  camera.fixedcamid = stage->Camera(spec.name);
+  const auto look = [&](const std::string& name) {
+    mjvCamera view;
+    mjv_defaultCamera(&view);
+    view.type = mjCAMERA_FIXED;
+    view.fixedcamid = stage->Camera(name);
+    views.push_back(view);
+  };
+  look(spec.name);
+  if (robot::IsBinocular(spec)) look(robot::RightEyeName(spec));
 }
 
 const Image& RobotEyes::See(const robot::CameraSpec& camera, double light,
                             const SceneState& state) {
   Eye& eye = eyes_.try_emplace(camera.name, camera, &stage_).first->second;
   stage_.Show(state);
-  stage_.Compose(&eye.camera, {}, nullptr);
-  eye.last = &eye.lens.Bend(eye.canvas.Draw(&stage_), light);
+  const auto look = [&](mjvCamera* view) -> const Image& {
+    stage_.Compose(view, {}, nullptr);
+    return eye.lens.Bend(eye.canvas.Draw(&stage_), light);
+  };
+  eye.last = &look(&eye.views.front());
+  if (eye.views.size() == 1) return *eye.last;
+  const Image left = *eye.last;
+  eye.both = SideBySide(left, look(&eye.views.back()));
+  eye.last = &eye.both;
   return *eye.last;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robot/robot_spec.h"
 #include "viewer/canvas.h"
@@ -44,8 +45,9 @@ class RobotEyes {
 
     LensTable lens;
     Canvas canvas;
-    mjvCamera camera{};
-    const Image* last = nullptr;         // of the lens
+    std::vector<mjvCamera> views;        // one, or of the left eye and the right
+    Image both;                          // of two eyes
+    const Image* last = nullptr;         // of the lens, or both
     std::unique_ptr<H264Encoder> video;  // made for the first frame
   };
 

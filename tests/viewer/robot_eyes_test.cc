@@ -65,6 +65,29 @@ TEST(RobotEyesTest, KeepsTheLastPictureOfEachCamera) {
   EXPECT_NE(eyes.Last(Above())->rgb, first.rgb);
 }
 
+TEST(RobotEyesTest, SeesWithTwoEyesSideBySideAtOneInstant) {
+  std::string world = kBallWorld;
+  world.insert(world.find("<camera"), R"(<camera name="above_right" pos="2 0 20"/>)");
+  RobotEyes eyes(mjcf::ReadBinaryModel(BinaryModel(world), "the test's"), "");
+  robot::CameraSpec camera = Above();
+  camera.baseline = 2;
+  const auto red = [&](int column) {
+    const Image& image = *eyes.Last(camera);
+    const auto i = 3 * static_cast<std::size_t>(60 * image.width + column);
+    return image.rgb[i] > 2 * image.rgb[i + 2];
+  };
+  eyes.See(camera, 1, BallAt(0));
+  const Image& both = eyes.See(camera, 1, BallAt(0));
+  ASSERT_EQ(both.width, 2 * camera.width);
+  ASSERT_EQ(both.height, camera.height);
+  ASSERT_EQ(both.rgb.size(), std::size_t{3 * 320 * 120});
+  // 2 m to the right of the left eye, the right one sees what is 15 m away 19 pixels further left.
+  EXPECT_TRUE(red(86));
+  EXPECT_FALSE(red(67 - 9));
+  EXPECT_TRUE(red(160 + 67));
+  EXPECT_FALSE(red(160 + 86));
+}
+
 // Of a PNG of 16 bits: the value of that pixel.
 int DepthAt(const std::string& png, png_uint_32 column, png_uint_32 row) {
   png_image image{};
