@@ -32,7 +32,7 @@ std::string OrderText(const robot::CameraSpec& camera, const CameraProcess::Want
                         {"range", camera.depth},     {"baseline", camera.baseline},
                         {"jpeg", wanted.jpeg},       {"frame", wanted.frame},
                         {"depth", wanted.depth},     {"again", wanted.again},
-                        {"light", wanted.light}}
+                        {"light", wanted.light},     {"noise", wanted.noise}}
       .dump();
 }
 

@@ -1,6 +1,7 @@
 // Draws with the OpenGL of this machine, usually Mesa's software renderer.
 #include "viewer/robot_eyes.h"
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -86,6 +87,27 @@ TEST(RobotEyesTest, SeesWithTwoEyesSideBySideAtOneInstant) {
   EXPECT_FALSE(red(67 - 9));
   EXPECT_TRUE(red(160 + 67));
   EXPECT_FALSE(red(160 + 86));
+}
+
+TEST(RobotEyesTest, SpreadsColoursByTheNoiseOfTheInstant) {
+  RobotEyes eyes(BallModel(), "");
+  const Image clear = eyes.See(Above(), 1, BallAt(0, 2));
+  const Image noisy = eyes.See(Above(), 1, BallAt(0, 2), 10);
+  double sum = 0, squares = 0, count = 0;
+  for (std::size_t i = 0; i < clear.rgb.size(); ++i) {
+    if (clear.rgb[i] < 40 || clear.rgb[i] > 215) continue;  // would be cut
+    const double off = noisy.rgb[i] - clear.rgb[i];
+    sum += off;
+    squares += off * off;
+    ++count;
+  }
+  ASSERT_GT(count, 500);
+  EXPECT_NEAR(sum / count, 0, 1);
+  EXPECT_NEAR(std::sqrt(squares / count), 10, 1);
+  EXPECT_EQ(eyes.Last(Above())->rgb, noisy.rgb) << "what is stuck keeps its noise";
+  EXPECT_EQ(eyes.See(Above(), 1, BallAt(0, 2), 10).rgb, noisy.rgb);
+  EXPECT_NE(eyes.See(Above(), 1, BallAt(0, 2.5), 10).rgb, noisy.rgb);
+  EXPECT_EQ(eyes.See(Above(), 1, BallAt(0, 2)).rgb, clear.rgb);
 }
 
 // Of a PNG of 16 bits: the value of that pixel.
