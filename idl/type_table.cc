@@ -84,6 +84,7 @@ constexpr auto kMessageTypes = std::to_array<MessageType>({
     {"unitree_go::msg::dds_::TimeSpec_", &unitree_go_msg_dds__TimeSpec__desc},
     {"unitree_go::msg::dds_::UwbState_", &unitree_go_msg_dds__UwbState__desc},
     {"unitree_go::msg::dds_::UwbSwitch_", &unitree_go_msg_dds__UwbSwitch__desc},
+    {"unitree_go::msg::dds_::VoxelHeightMapState_", &unitree_go_msg_dds__VoxelHeightMapState__desc},
     {"unitree_go::msg::dds_::VoxelMapCompressed_", &unitree_go_msg_dds__VoxelMapCompressed__desc},
     {"unitree_go::msg::dds_::WirelessController_", &unitree_go_msg_dds__WirelessController__desc},
     {"unitree_hg::msg::dds_::AgvBmsState_", &unitree_hg_msg_dds__AgvBmsState__desc},

@@ -160,7 +160,12 @@ void DescribeCamera(Archive& a, robot::CameraSpec& c) {
   a.Key(UNDERSTUDY_NVP(c.pos), {"m", {-5, 5}, "Place of its frame in the body's"});
   a.Key(UNDERSTUDY_NVP(c.rpy),
         {"rad", {-4, 4}, "Roll, pitch, yaw of its frame, which looks along x, in the body's"});
-  a.Key(UNDERSTUDY_NVP(c.width), {"pixels", {16, 4096}, "Width of a picture"});
+  a.Key(UNDERSTUDY_NVP(c.baseline),
+        {"m",
+         {0, 1},
+         "Distance of its two eyes, half of it to each side: their pictures stand side by side, "
+         "left first; 0 is one eye"});
+  a.Key(UNDERSTUDY_NVP(c.width), {"pixels", {16, 4096}, "Width of a picture, of one eye"});
   a.Key(UNDERSTUDY_NVP(c.height), {"pixels", {16, 4096}, "Its height"});
   a.Key(UNDERSTUDY_NVP(c.focal), {"pixels", {1, 1e5}, "Focal length, across and down"});
   a.Key(UNDERSTUDY_NVP(c.centre), {"pixels", {-1e4, 1e4}, "Where its axis is in the picture"});

@@ -143,6 +143,11 @@ void CheckCameras(const robot::RobotSpec& robot, const Checker& checker) {
                   "expected a lens that shows each direction once, within 80° of its axis");
     checker.Check(camera.depth[0] <= camera.depth[1], key + "depth",
                   "expected the nearest before the farthest");
+    if (!robot::IsBinocular(camera)) continue;
+    checker.Check(names.insert(robot::RightEyeName(camera)).second, key + "name",
+                  "there is a '" + robot::RightEyeName(camera) + "', as its right eye is called");
+    checker.Check(!robot::HasDepth(camera), key + "depth",
+                  "expected 0, 0 of a camera with two eyes (baseline)");
   }
 }
 

@@ -14,7 +14,8 @@ bool IsOfClouds(Content content) {
   return content != Content::kImuOfLidar && content != Content::kStateOfLidar;
 }
 bool IsMap(Content content) {
-  return content == Content::kHeightMap || content == Content::kVoxelMap;
+  return content == Content::kHeightMap || content == Content::kVoxelMap ||
+         content == Content::kMapState;
 }
 bool ComesWithClouds(Content content) { return IsOfClouds(content) && !IsMap(content); }
 
@@ -71,13 +72,13 @@ void Eyes::Look(std::int64_t step, const mjData& data, const robot::LidarEffects
   }
   for (const Part& part : parts_) {
     if (!part.wanted || ComesWithClouds(part.content) || !part.rate.Due(step)) continue;
-    if (part.content == Content::kHeightMap) {
+    if (part.content == Content::kHeightMap || part.content == Content::kMapState) {
       heights_.Read(&reading.map);
-    } else if (part.content == Content::kVoxelMap) {
-      voxels_.Read(&reading.voxels);
-    } else {
-      lidar_.Feel(step, data, spec_.imu);
     }
+    if (part.content == Content::kVoxelMap || part.content == Content::kMapState) {
+      voxels_.Read(&reading.voxels);
+    }
+    if (!IsMap(part.content)) lidar_.Feel(step, data, spec_.imu);
     reading.status.blind = faults.blind;
     reading.status.dirt = faults.dirt;
     if (!casts) reading.status.points_hz = lidar_.nominal_points_hz();
@@ -90,7 +91,8 @@ void Eyes::Cast(std::int64_t step, const mjData& data, const robot::LidarEffects
   rays->Follow(step, data);
   const auto& odometry = computer->sampled().leg_odometry;
   const robot::LegOdometry* const base = odometry ? &*odometry : nullptr;
-  const bool maps = Wants(Content::kHeightMap) || Wants(Content::kVoxelMap);
+  const bool maps = std::ranges::any_of(
+      parts_, [](const Part& part) { return part.wanted && IsMap(part.content); });
   const bool deskews = maps || looks_ || Wants(Content::kCloudDeskewed);
   if (!lidar_.Sense(step, data, *rays, faults, deskews ? base : nullptr)) return;
   const robot::LidarReading& reading = lidar_.reading();
@@ -112,7 +114,7 @@ Eigen::Vector3d Eyes::InBase(const robot::LidarPoint& point) const {
 
 void Eyes::Map(const robot::LegOdometry& base) {
   mapped_ = true;
-  const bool voxels = Wants(Content::kVoxelMap);
+  const bool voxels = Wants(Content::kVoxelMap) || Wants(Content::kMapState);
   heights_.Follow(base.p_OB.head<2>());
   if (voxels) {
     voxels_.Begin(base.p_OB.head<2>());

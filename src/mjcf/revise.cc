@@ -95,6 +95,26 @@ void Lock(const std::vector<std::string>& joints, MjcfElement* root) {
           [&](const MjcfElement& element) { return IsAny(element.Find("actuator"), actuators); });
 }
 
+// `left` is how far the eye is to the left of the camera's place [m].
+void AddEye(const robot::CameraSpec& camera, const std::string& name, double left,
+            MjcfElement* root, MjcfElement* body) {
+  TakeOut(root, [&](const MjcfElement& element) {
+    return element.name == "camera" && element.Get("name") == name;
+  });
+  // MuJoCo's cameras look along -z, with x to the right and y up.
+  const Eigen::Matrix3d R_BC = robot::FromRollPitchYaw(camera.rpy);
+  const Eigen::Vector3d right = -R_BC.col(1);
+  const Eigen::Vector3d up = R_BC.col(2);
+  const Eigen::Vector3d pos = camera.pos - left * right;
+  const double fovy = 2 * std::atan(robot::ReachOf(camera).y()) * 180 / std::numbers::pi;
+  MjcfElement element{.name = "camera", .attributes = {}, .children = {}, .place = body->place};
+  element.Set("name", name);
+  element.Set("pos", NumbersText({pos.data(), 3}));
+  element.Set("xyaxes", NumbersText({right.data(), 3}) + " " + NumbersText({up.data(), 3}));
+  element.Set("fovy", NumbersText({&fovy, 1}));
+  body->children.push_back(std::move(element));
+}
+
 }  // namespace
 
 void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
@@ -122,22 +142,11 @@ void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
 void AddCameras(const robot::RobotSpec& spec, MjcfElement* root) {
   for (std::size_t i = 0; i < spec.cameras.size(); ++i) {
     const robot::CameraSpec& camera = spec.cameras[i];
-    TakeOut(root, [&](const MjcfElement& element) {
-      return element.name == "camera" && element.Get("name") == camera.name;
-    });
     MjcfElement& body = Require(root, "body", camera.body.empty() ? spec.base_body : camera.body,
                                 "robot.cameras." + std::to_string(i) + ".body");
-    // MuJoCo's cameras look along -z, with x to the right and y up.
-    const Eigen::Matrix3d R_BC = robot::FromRollPitchYaw(camera.rpy);
-    const Eigen::Vector3d right = -R_BC.col(1);
-    const Eigen::Vector3d up = R_BC.col(2);
-    const double fovy = 2 * std::atan(robot::ReachOf(camera).y()) * 180 / std::numbers::pi;
-    MjcfElement element{.name = "camera", .attributes = {}, .children = {}, .place = body.place};
-    element.Set("name", camera.name);
-    element.Set("pos", NumbersText({camera.pos.data(), 3}));
-    element.Set("xyaxes", NumbersText({right.data(), 3}) + " " + NumbersText({up.data(), 3}));
-    element.Set("fovy", NumbersText({&fovy, 1}));
-    body.children.push_back(std::move(element));
+    AddEye(camera, camera.name, camera.baseline / 2, root, &body);
+    if (!robot::IsBinocular(camera)) continue;
+    AddEye(camera, robot::RightEyeName(camera), -camera.baseline / 2, root, &body);
   }
 }
 

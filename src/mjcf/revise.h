@@ -15,8 +15,8 @@ namespace understudy::mjcf {
 // com and inertia are given for a body whose file derives them from geoms.
 void Revise(const robot::RobotSpec& spec, MjcfElement* root);
 
-// Adds spec.cameras, without their lenses: each sees as much as its lens does. A camera of the same
-// name goes. The model has the bodies that they name.
+// Adds the eyes of spec.cameras, without their lenses: each sees as much as its lens does. A camera
+// of the same name goes. The model has the bodies that they name.
 void AddCameras(const robot::RobotSpec& spec, MjcfElement* root);
 
 }  // namespace understudy::mjcf

@@ -388,6 +388,18 @@ constexpr auto kKinds = std::to_array<FaultKind>({
      .high = 1,
      .otherwise = 0.9,
      .act = [](F f, E e) { e->cameras[f.element].light *= 1 - f.by * f.grown; }},
+    {.of = Component::kCamera,
+     .name = "noisy",
+     .does = "Each colour of each pixel is spread with that standard deviation, of 255 levels",
+     .unit = "levels",
+     .low = 0,
+     .high = 128,
+     .otherwise = 20,
+     .act =
+         [](F f, E e) {
+           double& noise = e->cameras[f.element].noise;
+           noise = std::hypot(noise, f.by * f.grown);
+         }},
     {.of = Component::kHand,
      .name = "off",
      .does = "It has died: no state is sent, no command heard. The hand does what it does when "

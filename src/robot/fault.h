@@ -120,6 +120,7 @@ struct CameraEffects {
   bool frozen = false;  // its picture stays as it was
   bool lost = false;    // a picture that is asked for now does not come
   double light = 1;     // share of the light that reaches it
+  double noise = 0;     // of 255 levels, standard deviation of each colour of a pixel
 };
 
 struct HandEffects {

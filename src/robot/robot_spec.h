@@ -278,7 +278,8 @@ struct CameraSpec {
   std::string body;                // of the model, that carries it; "": the base
   Eigen::Vector3d pos{0, 0, 0};    // m, its frame in the body's
   Eigen::Vector3d rpy{0, 0, 0};    // rad
-  int width = 1280, height = 720;  // pixels
+  double baseline = 0;             // m, between its two eyes, left and right of that; 0: it has one
+  int width = 1280, height = 720;  // pixels, of an eye
   std::array<double, 2> focal{864, 864};         // pixels, across and down
   std::array<double, 2> centre{640, 360};        // pixels, the picture of its axis
   std::array<double, 4> distortion{0, 0, 0, 0};  // k1, k2, p1, p2 (robot/lens.h)
@@ -289,6 +290,13 @@ struct CameraSpec {
   double video_hz = 13.8;                        // frames per second
 };
 inline bool HasDepth(const CameraSpec& camera) { return camera.depth[1] > 0; }
+inline bool IsBinocular(const CameraSpec& camera) { return camera.baseline > 0; }
+// Pictures of two eyes stand side by side.
+inline int PictureWidth(const CameraSpec& camera) {
+  return IsBinocular(camera) ? 2 * camera.width : camera.width;
+}
+// The model's camera of the right eye; that of the left one has the camera's own name.
+inline std::string RightEyeName(const CameraSpec& camera) { return camera.name + "_right"; }
 
 struct BatterySpec {
   int cells = 0;

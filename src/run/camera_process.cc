@@ -25,12 +25,14 @@ namespace {
 constexpr timeval kMostWait{.tv_sec = 30, .tv_usec = 0};
 
 std::string OrderText(const robot::CameraSpec& camera, const CameraProcess::Wanted& wanted) {
-  return nlohmann::json{
-      {"camera", camera.name},     {"width", camera.width},       {"height", camera.height},
-      {"focal", camera.focal},     {"centre", camera.centre},     {"distortion", camera.distortion},
-      {"quality", camera.quality}, {"video_hz", camera.video_hz}, {"range", camera.depth},
-      {"jpeg", wanted.jpeg},       {"frame", wanted.frame},       {"depth", wanted.depth},
-      {"again", wanted.again},     {"light", wanted.light}}
+  return nlohmann::json{{"camera", camera.name},     {"width", camera.width},
+                        {"height", camera.height},   {"focal", camera.focal},
+                        {"centre", camera.centre},   {"distortion", camera.distortion},
+                        {"quality", camera.quality}, {"video_hz", camera.video_hz},
+                        {"range", camera.depth},     {"baseline", camera.baseline},
+                        {"jpeg", wanted.jpeg},       {"frame", wanted.frame},
+                        {"depth", wanted.depth},     {"again", wanted.again},
+                        {"light", wanted.light},     {"noise", wanted.noise}}
       .dump();
 }
 

@@ -28,6 +28,7 @@ class CameraProcess {
     bool depth = false;
     bool again = false;  // of its last picture, if there is one, instead of the state's
     double light = 1;    // share of it
+    double noise = 0;    // levels, as robot::CameraEffects
   };
   // What is not wanted is empty.
   struct Drawn {

@@ -157,7 +157,8 @@ CameraProcess::Drawn Cameras::Draw(const Job& job, const std::stop_token& stop) 
                                                       .frame = job.frame,
                                                       .depth = LooksForDepth(job),
                                                       .again = job.faults.frozen,
-                                                      .light = job.faults.light},
+                                                      .light = job.faults.light,
+                                                      .noise = job.faults.noise},
                                                      job.state);
   if (job.frame) video_.Send(job.camera, job.state.time, drawn.frame);
   return drawn;

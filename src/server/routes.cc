@@ -178,7 +178,7 @@ Routed GetCameras(const HttpRequest&, std::string_view, Plane& plane) {
     const VideoCounts video = plane.views->video(i);
     cameras.push_back({{"name", camera.name},
                        {"service", camera.service},
-                       {"width", camera.width},
+                       {"width", robot::PictureWidth(camera)},
                        {"height", camera.height},
                        {"depth", robot::HasDepth(camera)},
                        {"video",

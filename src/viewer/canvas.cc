@@ -144,6 +144,19 @@ std::string EncodePng(const DepthImage& image) {
   return bytes;
 }
 
+Image SideBySide(const Image& left, const Image& right) {
+  Image both{.width = left.width + right.width, .height = left.height, .rgb = {}};
+  both.rgb.reserve(left.rgb.size() + right.rgb.size());
+  for (std::ptrdiff_t row = 0; row < both.height; ++row) {
+    for (const Image* half : {&left, &right}) {
+      const std::ptrdiff_t bytes = std::ptrdiff_t{3} * half->width;
+      const auto begin = half->rgb.begin() + row * bytes;
+      both.rgb.insert(both.rgb.end(), begin, begin + bytes);
+    }
+  }
+  return both;
+}
+
 void WritePng(const Image& image, const std::filesystem::path& file) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;

@@ -28,6 +28,9 @@ struct DepthImage {
 // Returns the means of 2 x 2 pixels: half as wide and high. Both must be even.
 Image Halve(const Image& big);
 
+// Returns both in one. They are equally high.
+Image SideBySide(const Image& left, const Image& right);
+
 // Writes a PNG file, replacing an existing one atomically. Throws SetupError with the reason.
 void WritePng(const Image& image, const std::filesystem::path& file);
 

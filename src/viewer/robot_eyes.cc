@@ -1,6 +1,9 @@
 #include "viewer/robot_eyes.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <exception>
 #include <utility>
 
@@ -8,6 +11,7 @@
 #include <unistd.h>
 
 #include "exec/socket_message.h"
+#include "sensors/chance.h"
 #include "viewer/jpeg.h"
 #include "viewer/live_robot.h"
 
@@ -24,8 +28,20 @@ robot::CameraSpec ReadCamera(const nlohmann::json& order) {
   camera.distortion = order.at("distortion");
   camera.quality = order.at("quality");
   camera.depth = order.at("range");
+  camera.baseline = order.at("baseline");
   camera.video_hz = order.at("video_hz");
   return camera;
+}
+
+// The same for the same instant and camera.
+void AddNoise(double levels, double time, int camera, Image* picture) {
+  constexpr double kMost = 255;
+  sensors::Noise noise(static_cast<int>(std::llround(1000 * time)),
+                       static_cast<std::uint64_t>(camera));
+  for (std::uint8_t& colour : picture->rgb) {
+    colour =
+        static_cast<std::uint8_t>(std::lround(std::clamp(colour + levels * noise(), 0.0, kMost)));
+  }
 }
 
 // The lengths of JPEG and depth in four bytes each, the JPEG, the depth, the frame; each is empty
@@ -33,7 +49,7 @@ robot::CameraSpec ReadCamera(const nlohmann::json& order) {
 std::string Answer(const nlohmann::json& order, const SceneState& state, RobotEyes* eyes) {
   const robot::CameraSpec camera = ReadCamera(order);
   const Image* picture = order.at("again") ? eyes->Last(camera) : nullptr;
-  if (picture == nullptr) picture = &eyes->See(camera, order.at("light"), state);
+  if (picture == nullptr) picture = &eyes->See(camera, order.at("light"), state, order.at("noise"));
   const std::string jpeg = order.at("jpeg") ? EncodeJpeg(*picture, camera.quality) : "";
   const std::string depth = order.at("depth") ? eyes->Depth(camera) : "";
   const std::array<std::uint32_t, 2> lengths{static_cast<std::uint32_t>(jpeg.size()),
@@ -51,17 +67,36 @@ RobotEyes::RobotEyes(mjcf::ModelHandle model, const std::string& robot, const st
 
 RobotEyes::Eye::Eye(const robot::CameraSpec& spec, Stage* stage)
     : lens(spec), canvas(stage, lens.straight(), Canvas::Edges::kHard) {
-  mjv_defaultCamera(&camera);
-  camera.type = mjCAMERA_FIXED;
-  camera.fixedcamid = stage->Camera(spec.name);
+  const auto look = [&](const std::string& name) {
+    mjvCamera view;
+    mjv_defaultCamera(&view);
+    view.type = mjCAMERA_FIXED;
+    view.fixedcamid = stage->Camera(name);
+    views.push_back(view);
+  };
+  look(spec.name);
+  if (robot::IsBinocular(spec)) look(robot::RightEyeName(spec));
 }
 
-const Image& RobotEyes::See(const robot::CameraSpec& camera, double light,
-                            const SceneState& state) {
+const Image& RobotEyes::See(const robot::CameraSpec& camera, double light, const SceneState& state,
+                            double noise) {
   Eye& eye = eyes_.try_emplace(camera.name, camera, &stage_).first->second;
   stage_.Show(state);
-  stage_.Compose(&eye.camera, {}, nullptr);
-  eye.last = &eye.lens.Bend(eye.canvas.Draw(&stage_), light);
+  const auto look = [&](mjvCamera* view) -> const Image& {
+    stage_.Compose(view, {}, nullptr);
+    return eye.lens.Bend(eye.canvas.Draw(&stage_), light);
+  };
+  eye.last = &look(&eye.views.front());
+  if (eye.views.size() > 1) {
+    const Image left = *eye.last;
+    eye.whole = SideBySide(left, look(&eye.views.back()));
+    eye.last = &eye.whole;
+  }
+  if (noise > 0) {
+    if (eye.last != &eye.whole) eye.whole = *eye.last;
+    AddNoise(noise, state.time, eye.views.front().fixedcamid, &eye.whole);
+    eye.last = &eye.whole;
+  }
   return *eye.last;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robot/robot_spec.h"
 #include "viewer/canvas.h"
@@ -23,9 +24,11 @@ class RobotEyes {
   // `gl` as for MakeHeadlessGl. `robot` as for Stage. Throws SetupError without OpenGL.
   RobotEyes(mjcf::ModelHandle model, const std::string& robot, const std::string& gl = "");
 
-  // Returns the picture that a camera has in a state, with that share of its light. The model has a
+  // Returns the picture that a camera has in a state, with that share of its light and that noise,
+  // of which robot::CameraEffects speaks; an instant has its own, always the same. The model has a
   // camera of its name. Throws SetupError.
-  const Image& See(const robot::CameraSpec& camera, double light, const SceneState& state);
+  const Image& See(const robot::CameraSpec& camera, double light, const SceneState& state,
+                   double noise = 0);
 
   // Returns the camera's last picture; null before the first.
   const Image* Last(const robot::CameraSpec& camera) const;
@@ -44,8 +47,9 @@ class RobotEyes {
 
     LensTable lens;
     Canvas canvas;
-    mjvCamera camera{};
-    const Image* last = nullptr;         // of the lens
+    std::vector<mjvCamera> views;        // one, or of the left eye and the right
+    Image whole;                         // of two eyes, or with noise
+    const Image* last = nullptr;         // of the lens, or the whole
     std::unique_ptr<H264Encoder> video;  // made for the first frame
   };
 

@@ -1,6 +1,7 @@
 #include "wire/lidar_codec.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <lz4.h>
@@ -111,6 +112,18 @@ void VoxelMapEncoder::operator()(const robot::LidarReading& reading,
                            static_cast<int>(map.bits.size()), static_cast<int>(block_.size()));
   const auto count = static_cast<std::uint32_t>(size);
   message->data = {count, count, block_.data(), false};
+}
+
+void EncodeMapState(const robot::LidarReading& reading,
+                    unitree_go_msg_dds__VoxelHeightMapState_* message) {
+  message->stamp = message->stamp_odom = Seconds(reading);
+  message->stamp_cloud = static_cast<double>(reading.cloud.stamp_ns - reading.since_ns) * 1e-9;
+  message->height_map_size = static_cast<std::uint32_t>(std::ranges::count_if(
+      reading.map.heights, [](float height) { return height < robot::HeightMap::kUnseen; }));
+  message->voxel_map_size = 0;
+  for (const std::uint8_t eight : reading.voxels.bits) {
+    message->voxel_map_size += static_cast<std::uint32_t>(std::popcount(eight));
+  }
 }
 
 }  // namespace understudy::wire

@@ -50,4 +50,9 @@ class VoxelMapEncoder {
   std::vector<std::uint8_t> block_;  // what the message points to
 };
 
+// *Assumed*: that its sizes count the cells whose height is known and the cubes that are full; that
+// its stamps are those of the message, of the newest cloud in the maps and of the odometry.
+void EncodeMapState(const robot::LidarReading& reading,
+                    unitree_go_msg_dds__VoxelHeightMapState_* message);
+
 }  // namespace understudy::wire

@@ -47,6 +47,9 @@ LidarOutlets::LidarOutlets(const robot::RobotSpec& spec, Outlets* outlets) {
       case Content::kHeightMap:
         Open<unitree_go_msg_dds__HeightMap_>(message, &EncodeHeightMap, outlets);
         break;
+      case Content::kMapState:
+        Open<unitree_go_msg_dds__VoxelHeightMapState_>(message, &EncodeMapState, outlets);
+        break;
       case Content::kVoxelMap:
         Open<unitree_go_msg_dds__VoxelMapCompressed_>(message, VoxelMapEncoder(), outlets);
         break;

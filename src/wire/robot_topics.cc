@@ -162,7 +162,8 @@ std::vector<LidarMessage> LidarMessages(const robot::RobotSpec& spec) {
           {Content::kStateOfLidar, Topic(topic::kLidarState, 4.87)},
           {Content::kClearance, Topic(topic::kLidarRange, hz)},  // *assumed*: no rate was seen
           {Content::kHeightMap, Topic(topic::kLidarHeights, 11.44)},
-          {Content::kVoxelMap, Topic(topic::kLidarVoxels, 7.3)}};  // as a receiver counted them
+          {Content::kVoxelMap, Topic(topic::kLidarVoxels, 7.3)},   // as a receiver counted them
+          {Content::kMapState, Topic(topic::kLidarMaps, 11.44)}};  // *assumed*: no rate was seen
 }
 
 std::vector<RobotTopic> ServiceTopics(const std::vector<std::string>& services,

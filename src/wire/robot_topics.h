@@ -82,6 +82,7 @@ enum class Content : std::uint8_t {
   kClearance,
   kHeightMap,
   kVoxelMap,
+  kMapState,  // of both maps
 };
 
 // A message with its topics; the rt/lf twin is one of them.

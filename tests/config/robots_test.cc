@@ -35,6 +35,26 @@ TEST(RobotsTest, EachServiceOfPicturesHasACamera) {
   }
 }
 
+TEST(RobotsTest, HumanoidsWithWristsHaveTheCamerasThatTheVendorsImageServerNames) {
+  for (const std::string name : {"g1", "g1_23dof", "g1_29dof_dex3", "h1_2"}) {
+    const robot::RobotSpec robot = Robot(name).robots[0].spec;
+    const auto camera = [&](const std::string& of) {
+      const auto found = std::ranges::find(robot.cameras, of, &robot::CameraSpec::name);
+      return found == robot.cameras.end() ? robot::CameraSpec() : *found;
+    };
+    EXPECT_EQ(camera("head").body, "torso_link") << name;
+    const robot::CameraSpec left = camera("left_wrist"), right = camera("right_wrist");
+    EXPECT_TRUE(left.body.starts_with("left_wrist")) << name;
+    EXPECT_TRUE(right.body.starts_with("right_wrist")) << name;
+    EXPECT_EQ(left.width, 640) << name;
+    EXPECT_EQ(left.height, 480) << name;
+    // One is the other's mirror image.
+    EXPECT_EQ(left.pos.y(), -right.pos.y()) << name;
+    EXPECT_EQ(left.pos.x(), right.pos.x()) << name;
+    EXPECT_EQ(left.pos.z(), right.pos.z()) << name;
+  }
+}
+
 TEST(RobotsTest, Go2HasTwelveMotorsInTheOrderOfTheSdk) {
   const robot::RobotSpec robot = Robot("go2").robots[0].spec;
   EXPECT_EQ(robot.family, robot::WireFamily::kGo);

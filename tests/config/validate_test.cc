@@ -47,6 +47,10 @@ TEST_F(ValidateTest, TellsWhatDoesNotFitAndWhatDoes) {
       {"robot.cameras=[{name: a, distortion: [-2, 0, 0, 0]}]",
        "robot.cameras.0.distortion: expected a lens that shows each direction once, within 80° of "
        "its axis"},
+      {"robot.cameras=[{name: a_right}, {name: a, baseline: 0.06}]",
+       "robot.cameras.1.name: there is a 'a_right', as its right eye is called"},
+      {"robot.cameras=[{name: a, baseline: 0.06, depth: [1, 10]}]",
+       "robot.cameras.0.depth: expected 0, 0 of a camera with two eyes (baseline)"},
       {"robot.battery.cells=0", "robot.battery.cells: expected at least one cell"},
   };
   for (const auto& [set, error] : rows) EXPECT_EQ(SetError(set), "--set " + set + ": " + error);

@@ -106,6 +106,13 @@ def test_voxels_are_full_where_the_wall_and_the_ground_are(sight):
     assert voxels["ground"] > 200
 
 
+def test_the_state_of_the_maps_is_that_of_both(sight):
+    maps = sight["maps"]
+    assert maps["hz"] == pytest.approx(11.44, abs=0.2)
+    assert 0 < maps["cloud_age"] < 0.2 and maps["odometry_age"] == 0
+    assert maps["sizes"] == pytest.approx([sight["heights"]["seen"], maps["full"]], rel=0.1)
+
+
 def test_every_pose_is_one_of_the_odometry(sight):
     assert sight["odometry_hz"] == pytest.approx(150, abs=3) and sight["pose_hz"] == pytest.approx(18.75, abs=0.4)
     assert sight["shared"] > 0.8, "but for what a best-effort reader loses"

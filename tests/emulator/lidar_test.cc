@@ -144,7 +144,8 @@ TEST_F(LidarTest, SendsEachContentAtItsRateAndStopsWhatNeedsTheMotionService) {
   const std::map<Content, std::pair<std::size_t, bool>> rates = {
       {Content::kCloudDeskewed, {14, true}}, {Content::kImuOfLidar, {250, false}},
       {Content::kStateOfLidar, {5, false}},  {Content::kClearance, {14, true}},
-      {Content::kHeightMap, {11, true}},     {Content::kVoxelMap, {7, true}}};
+      {Content::kHeightMap, {11, true}},     {Content::kVoxelMap, {7, true}},
+      {Content::kMapState, {11, true}}};
   for (const auto& [content, rate] : rates) {
     EXPECT_NEAR(static_cast<double>(Second(content).size()), static_cast<double>(rate.first), 1)
         << static_cast<int>(content);

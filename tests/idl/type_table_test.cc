@@ -27,6 +27,8 @@ namespace understudy::idl {
 namespace {
 
 constexpr std::size_t kVendorTypeCount = 76;  // 73 of unitree_sdk2 21d0a3b2, three of Inspire
+// Robots send it, and no SDK of the vendor has it: nobody has a hash of it.
+constexpr const char* kOfUsers = "unitree_go::msg::dds_::VoxelHeightMapState_";
 
 // XTypes 1.3, 7.6.3.2.1 and Annex D: member ids of TypeInformation, discriminators of
 // TypeIdentifier, length of an EquivalenceHash.
@@ -115,14 +117,14 @@ TEST_P(PublishedTypeTest, HasTheVendorsTypeHashes) {
 INSTANTIATE_TEST_SUITE_P(Vendor, PublishedTypeTest, testing::ValuesIn(LoadPublishedTypes()),
                          [](const auto& row) { return TestName(row.param.name); });
 
-TEST(TypeTableTest, HoldsTheTypesThatTheVendorPublishesAndNoOthers) {
-  std::set<std::string> published;
+TEST(TypeTableTest, HoldsTheTypesThatTheVendorPublishesAndTheOneOfUsersAlone) {
+  std::set<std::string> published{kOfUsers};
   for (const PublishedType& type : LoadPublishedTypes()) published.insert(type.name);
   std::set<std::string> ours;
   for (const MessageType& type : MessageTypes()) ours.emplace(type.name);
   EXPECT_EQ(ours, published);
-  EXPECT_EQ(published.size(), kVendorTypeCount);
-  EXPECT_EQ(MessageTypes().size(), kVendorTypeCount);
+  EXPECT_EQ(published.size(), kVendorTypeCount + 1);
+  EXPECT_EQ(MessageTypes().size(), kVendorTypeCount + 1);
 }
 
 TEST(TypeTableTest, NamesEachTypeAsItIsNamedOnTheWire) {

@@ -186,5 +186,26 @@ TEST_F(ReviseTest, AddsCamerasThatLookAlongTheirXAndSeeAsMuchAsTheirLens) {
   EXPECT_NEAR(R[7], 1, 1e-9) << "its up is the body's";
 }
 
+TEST_F(ReviseTest, AddsTheEyesOfACameraHalfItsBaselineToEachSide) {
+  robot::CameraSpec camera;
+  camera.name = "head";
+  camera.body = "shin";
+  camera.pos = {0.1, 0.2, 0.3};
+  camera.rpy = {0, 0, std::numbers::pi / 2};  // so that its left is against the body's x
+  camera.baseline = 0.06;
+  spec_.cameras = {camera};
+  MjcfElement root = ReadMjcf(folder_.Write("leg.xml", kLeg));
+  AddCameras(spec_, &root);
+  AddCameras(spec_, &root);  // in place of the first
+  const ModelHandle model = CompileMjcf(root);
+  ASSERT_EQ(model->ncam, 2);
+  const int left = mj_name2id(model.get(), mjOBJ_CAMERA, "head");
+  const int right = mj_name2id(model.get(), mjOBJ_CAMERA, "head_right");
+  ASSERT_TRUE(left >= 0 && right >= 0);
+  EXPECT_NEAR(model->cam_pos[3 * left], 0.07, 1e-9);
+  EXPECT_NEAR(model->cam_pos[3 * right], 0.13, 1e-9);
+  EXPECT_NEAR(model->cam_pos[3 * right + 1], 0.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace understudy::mjcf

@@ -57,7 +57,8 @@ std::vector<double> Flat(const Effects& effects) {
   Add(&all, {Is(effects.board.dead), Is(effects.board.mute), effects.board.heat_c});
   const LidarEffects& lidar = effects.lidar;
   Add(&all, {Is(lidar.dead), Is(lidar.blind), lidar.lost, lidar.dirt, lidar.noise});
-  for (const CameraEffects& e : effects.cameras) Add(&all, {Is(e.frozen), Is(e.lost), e.light});
+  for (const CameraEffects& e : effects.cameras)
+    Add(&all, {Is(e.frozen), Is(e.lost), e.light, e.noise});
   for (const HandEffects& e : effects.hands) all.push_back(Is(e.dead));
   return all;
 }

@@ -159,7 +159,7 @@ TEST_F(CamerasTest, TakeTurnsAndShareWhatIsOrderedMeanwhile) {
   EXPECT_EQ(Taken(), "front 90 1.00 0.004");
 }
 
-TEST_F(CamerasTest, SeeLessLightAndTheSamePictureAndNoneByFault) {
+TEST_F(CamerasTest, SeeLessLightAndTheSamePictureAndNoneAndNoiseByFault) {
   Fault("camera.front", "dark", 0.75);
   cameras_->Begin("videohub");
   Step();
@@ -175,10 +175,14 @@ TEST_F(CamerasTest, SeeLessLightAndTheSamePictureAndNoneByFault) {
   cameras_->Begin("videohub");
   Step();
   EXPECT_EQ(Take().first.outcome, kLost);
+  Fault("camera.back", "noisy", 12);
+  cameras_->Begin("back_videohub");
+  Step();
+  EXPECT_EQ(Taken(), "back 40 1.00 0.005 noise 12");
   Fault("camera.front", "none");
   cameras_->Begin("videohub");
   Step();
-  EXPECT_EQ(Taken(), "front 90 1.00 0.005");
+  EXPECT_EQ(Taken(), "front 90 1.00 0.006");
 }
 
 TEST_F(CamerasTest, ShowTheSamePictureToWhoLooksAndToTheService) {

@@ -20,7 +20,7 @@ from screens import Screen
 
 ROOT = pathlib.Path(__file__).parents[2]
 # They go on until somebody ends them.
-ENDLESS = re.compile(r"--watch|--follow|--loop|--echo|^understudy view|^understudy remote(?!.*--list)")
+ENDLESS = re.compile(r"--watch|--follow|--loop|--echo|image_server|^understudy view|^understudy remote(?!.*--list)")
 # What is done before a request.
 BEFORE = {"step": "pause", "raise": "crane attach", "lower": "crane attach", "joint": "clamp on"}
 ON_A_STAND = ("--start", "clamped", "--released")  # as one moves the joints of a robot

@@ -1,6 +1,7 @@
 // Draws with the OpenGL of this machine, usually Mesa's software renderer.
 #include "viewer/robot_eyes.h"
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -63,6 +64,50 @@ TEST(RobotEyesTest, KeepsTheLastPictureOfEachCamera) {
   EXPECT_EQ(eyes.Last(Above())->rgb, first.rgb);
   eyes.See(Above(), 0.5, BallAt(4));
   EXPECT_NE(eyes.Last(Above())->rgb, first.rgb);
+}
+
+TEST(RobotEyesTest, SeesWithTwoEyesSideBySideAtOneInstant) {
+  std::string world = kBallWorld;
+  world.insert(world.find("<camera"), R"(<camera name="above_right" pos="2 0 20"/>)");
+  RobotEyes eyes(mjcf::ReadBinaryModel(BinaryModel(world), "the test's"), "");
+  robot::CameraSpec camera = Above();
+  camera.baseline = 2;
+  const auto red = [&](int column) {
+    const Image& image = *eyes.Last(camera);
+    const auto i = 3 * static_cast<std::size_t>(60 * image.width + column);
+    return image.rgb[i] > 2 * image.rgb[i + 2];
+  };
+  eyes.See(camera, 1, BallAt(0));
+  const Image& both = eyes.See(camera, 1, BallAt(0));
+  ASSERT_EQ(both.width, 2 * camera.width);
+  ASSERT_EQ(both.height, camera.height);
+  ASSERT_EQ(both.rgb.size(), std::size_t{3 * 320 * 120});
+  // 2 m to the right of the left eye, the right one sees what is 15 m away 19 pixels further left.
+  EXPECT_TRUE(red(86));
+  EXPECT_FALSE(red(67 - 9));
+  EXPECT_TRUE(red(160 + 67));
+  EXPECT_FALSE(red(160 + 86));
+}
+
+TEST(RobotEyesTest, SpreadsColoursByTheNoiseOfTheInstant) {
+  RobotEyes eyes(BallModel(), "");
+  const Image clear = eyes.See(Above(), 1, BallAt(0, 2));
+  const Image noisy = eyes.See(Above(), 1, BallAt(0, 2), 10);
+  double sum = 0, squares = 0, count = 0;
+  for (std::size_t i = 0; i < clear.rgb.size(); ++i) {
+    if (clear.rgb[i] < 40 || clear.rgb[i] > 215) continue;  // would be cut
+    const double off = noisy.rgb[i] - clear.rgb[i];
+    sum += off;
+    squares += off * off;
+    ++count;
+  }
+  ASSERT_GT(count, 500);
+  EXPECT_NEAR(sum / count, 0, 1);
+  EXPECT_NEAR(std::sqrt(squares / count), 10, 1);
+  EXPECT_EQ(eyes.Last(Above())->rgb, noisy.rgb) << "what is stuck keeps its noise";
+  EXPECT_EQ(eyes.See(Above(), 1, BallAt(0, 2), 10).rgb, noisy.rgb);
+  EXPECT_NE(eyes.See(Above(), 1, BallAt(0, 2.5), 10).rgb, noisy.rgb);
+  EXPECT_EQ(eyes.See(Above(), 1, BallAt(0, 2)).rgb, clear.rgb);
 }
 
 // Of a PNG of 16 bits: the value of that pixel.

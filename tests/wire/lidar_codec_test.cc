@@ -125,5 +125,18 @@ TEST_F(LidarCodecTest, HasVoxelsThatDoNotCompress) {
   EXPECT_EQ(message.src_size, 77824U);
 }
 
+TEST_F(LidarCodecTest, CountsTheCellsThatAreKnownAndTheCubesThatAreFull) {
+  reading_.cloud.stamp_ns = reading_.now_ns - 100'000'000;
+  reading_.map.heights = {0.25F, robot::HeightMap::kUnseen, -0.1F, robot::HeightMap::kUnseen};
+  reading_.voxels.bits = {0x81, 0x00, 0x07};
+  unitree_go_msg_dds__VoxelHeightMapState_ message{};
+  for (int i = 0; i < 2; ++i) EncodeMapState(reading_, &message);
+  EXPECT_DOUBLE_EQ(message.stamp, 12.004);
+  EXPECT_DOUBLE_EQ(message.stamp_odom, 12.004);
+  EXPECT_DOUBLE_EQ(message.stamp_cloud, 11.904);
+  EXPECT_EQ(message.height_map_size, 2U);
+  EXPECT_EQ(message.voxel_map_size, 5U);
+}
+
 }  // namespace
 }  // namespace understudy::wire

@@ -52,6 +52,7 @@ std::vector<Row> GoRows(const robot::RobotSpec& spec) {
           {"rt/utlidar/height_map_array", &unitree_go_msg_dds__HeightMap__desc, lidar ? 1 : 0},
           {"rt/utlidar/voxel_map_compressed", &unitree_go_msg_dds__VoxelMapCompressed__desc,
            lidar ? 1 : 0},
+          {"rt/utlidar/map_state", &unitree_go_msg_dds__VoxelHeightMapState__desc, lidar ? 1 : 0},
           {"rt/utlidar/cloud_livox_mid360", &sensor_msgs_msg_dds__PointCloud2__desc, livox},
           {"rt/utlidar/imu_livox_mid360", &sensor_msgs_msg_dds__Imu__desc, livox}};
 }

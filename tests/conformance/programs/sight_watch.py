@@ -14,7 +14,7 @@ import numpy as np
 from base_truth import Truth, way_from
 from cyclonedds.idl import IdlStruct
 from cyclonedds.idl.annotations import autoid, final
-from cyclonedds.idl.types import array, float64, sequence, uint8, uint16, uint64
+from cyclonedds.idl.types import array, float64, sequence, uint8, uint16, uint32, uint64
 from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwitcherClient
 from unitree_sdk2py.core.channel import ChannelFactoryInitialize, ChannelSubscriber
 from unitree_sdk2py.go2.sport.sport_client import SportClient
@@ -55,6 +55,19 @@ class VoxelMapCompressed_(IdlStruct, typename="unitree_go.msg.dds_.VoxelMapCompr
     width: array[uint16, 3]
     src_size: uint64
     data: sequence[uint8]
+
+
+@dataclass
+@final
+@autoid("sequential")
+class VoxelHeightMapState_(IdlStruct, typename="unitree_go.msg.dds_.VoxelHeightMapState_"):
+    """As go2_ros2_sdk has it: no SDK of the vendor does."""
+
+    stamp: float64
+    stamp_cloud: float64
+    stamp_odom: float64
+    height_map_size: uint32
+    voxel_map_size: uint32
 
 
 class Topic:
@@ -109,7 +122,7 @@ def place_of(pose):
 def go2(seconds):
     imu, deskewed = Topic("imu", Imu_), Topic("cloud_deskewed", PointCloud2_)
     ranges, heights = Topic("range_info", PointStamped_), Topic("height_map_array", HeightMap_)
-    voxels = Topic("voxel_map_compressed", VoxelMapCompressed_)
+    voxels, maps = Topic("voxel_map_compressed", VoxelMapCompressed_), Topic("map_state", VoxelHeightMapState_)
     odometry, pose = Topic("robot_odom", Odometry_), Topic("robot_pose", PoseStamped_)
     time.sleep(1 + seconds)
     _, truth = Truth().read()
@@ -146,6 +159,14 @@ def go2(seconds):
         "wall": list(np.unique(full[level & (full[:, 2] > 0.2), 0])),
         "ground": int(np.sum(np.abs(full[:, 2]) < 0.05)),
     }
+    last = maps.messages[-1]
+    report["maps"] = {
+        "hz": hz_of([message.stamp for message in maps.messages]),
+        "cloud_age": last.stamp - last.stamp_cloud,
+        "odometry_age": last.stamp - last.stamp_odom,
+        "sizes": [last.height_map_size, last.voxel_map_size],
+        "full": len(full),
+    }
     odometries = list(odometry.messages)
     by_stamp = {stamp_of(m): place_of(m.pose.pose) for m in odometries}
     poses = [m for m in list(pose.messages) if stamp_of(m) <= max(by_stamp)]
@@ -172,7 +193,7 @@ def go2(seconds):
     switcher.Init()
     switcher.ReleaseMode()
     time.sleep(0.2)
-    topics = {"imu": imu, "deskewed": deskewed, "ranges": ranges, "heights": heights, "voxels": voxels, "odometry": odometry, "pose": pose}
+    topics = {"imu": imu, "deskewed": deskewed, "ranges": ranges, "heights": heights, "voxels": voxels, "maps": maps, "odometry": odometry, "pose": pose}
     report["released"] = {name: topic.during(0.3) for name, topic in topics.items()}
     return report
 

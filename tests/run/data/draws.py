@@ -22,6 +22,8 @@ last = {}
 while order := receive():
     state = receive()
     picture = f"{order['camera']} {order['quality']} {order['light']:.2f} {state['time']:.3f}".encode()
+    if order["noise"]:
+        picture += f" noise {order['noise']:g}".encode()
     if order["again"]:
         picture = last.get(order["camera"], picture)
     last[order["camera"]] = picture
