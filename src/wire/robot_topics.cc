@@ -103,7 +103,7 @@ std::vector<StateMessage> StateMessages(const robot::RobotSpec& spec) {
   if (go) {
     add(Content::kRemote, topic::kWirelessController, rates.motion_hz);
     if (spec.error_list) add(Content::kErrors, topic::kErrorList, rates.lf_hz);
-    if (robot::IsMapped(spec.lidar)) {
+    if (robot::HasLidar(spec.lidar)) {  // of any make: the legs make it
       constexpr double kHz =
           150;  // 148.7 to 150.6 on two Go2; every 8th is in the other, 18.1 to 18.8
       add(Content::kOdometry, topic::kLidarOdometry, kHz);
