@@ -1,13 +1,10 @@
 #include "config/load.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
 #include <set>
-#include <string>
 #include <utility>
 
 #include "authority/onboard.h"
@@ -19,13 +16,13 @@
 #include "config/reference.h"
 #include "config/robot_file.h"
 #include "config/robots.h"
+#include "config/strew.h"
 #include "config/validate.h"
 #include "robot/drop_motor.h"
 #include "robot/firmware.h"
 #include "schema/printer.h"
 #include "schema/yaml_document.h"
 #include "schema/yaml_reader.h"
-#include "terrain/terrain.h"
 
 namespace understudy::config {
 namespace {
@@ -125,27 +122,6 @@ void CheckLocked(const robot::RobotSpec& robot, const std::set<std::string>& lef
                       ": robot.locked_joints: no motor has a joint '" + OneLine(joint) + "'" +
                       DidYouMean(joint, joints));
   }
-}
-
-// Makes objects of what lies about in a place, so that all that knows objects knows it. They stand
-// for it from then on: a printed configuration has them and no clutter, and makes the same world.
-void StrewObjects(Config* config, const Places& places) {
-  constexpr double kAroundStart = 0.9;  // m, from a robot's middle; assumed
-  if (config->terrain.clutter == 0) return;
-  if (!terrain::IsPlace(config->scene)) {
-    throw ConfigError(places.at("terrain.clutter") + ": terrain.clutter: expected 0 in scene '" +
-                      OneLine(config->scene) + "', which is no place");
-  }
-  const std::array<double, 3>& start = config->robots[0].start.at;
-  int number = 0;
-  for (const terrain::LooseThing& thing : terrain::LooseThings(config->scene, config->terrain)) {
-    if (std::hypot(thing.x - start[0], thing.y - start[1]) < kAroundStart) continue;
-    config->objects.push_back({.kind = thing.kind,
-                               .name = "loose_" + std::to_string(++number),
-                               .pos = {thing.x, thing.y, thing.z},
-                               .yaw = thing.yaw});
-  }
-  config->terrain.clutter = 0;
 }
 
 Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
@@ -295,7 +271,7 @@ Config LoadAlone(const RobotFile& file, std::vector<YamlValue> layers,
   }
   TakeLimitsOfTypes(&config.robots[0].spec);
   config.robots[0].name = config.robots[0].spec.name;
-  StrewObjects(&config, places);
+  StrewObjects(&config);
   Validate(config, places);
   return config;
 }

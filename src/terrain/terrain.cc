@@ -117,8 +117,6 @@ bool IsTerrain(const std::string& scene) {
   return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
 }
 
-bool IsPlace(const std::string& scene) { return FindPlace(scene) != nullptr; }
-
 std::vector<LooseThing> LooseThings(const std::string& scene, const TerrainSpec& spec) {
   const PlaceKind* const place = FindPlace(scene);
   if (place == nullptr) return {};

@@ -55,9 +55,6 @@ const std::vector<std::string>& GeneratedScenes();
 // Returns whether `scene` is one of them.
 bool IsTerrain(const std::string& scene);
 
-// Returns whether `scene` is a place, such as an office.
-bool IsPlace(const std::string& scene);
-
 // Returns what lies about in a place and can be moved, by difficulty, clutter and seed; nothing in
 // other scenes. WriteTerrain leaves it out.
 std::vector<LooseThing> LooseThings(const std::string& scene, const TerrainSpec& spec);
