@@ -72,13 +72,15 @@ void Scatter(const Area& area, const PlaceSpec& spec, TerrainRandom* random, Fur
 void Strew(const Area& area, const PlaceSpec& spec, TerrainRandom* random, Furnisher* furnisher) {
   constexpr double kShare = 0.25;  // of the boxes and drums
   constexpr int kAttempts = 20;
+  constexpr double kRoom = 0.3;  // m: nothing lies under what is lower, such as a pallet
   const int count = static_cast<int>(std::lround(kShare * area.most * spec.loose));
   for (int i = 0; i < count; ++i) {
     const LooseKind& kind = kLoose[static_cast<std::size_t>(random->Between(0, kLoose.size()))];
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       const double x = random->Between(area.x0, area.x1), y = random->Between(area.y0, area.y1);
       const double yaw = random->Between(0, 4 * kQuarter);
-      if (!furnisher->IsFree(x, y, kind.radius, area.ground + kind.height)) continue;
+      const double room = area.ground + std::max(kRoom, kind.height);
+      if (!furnisher->IsFree(x, y, kind.radius, room)) continue;
       furnisher->Lay({kind.kind, x, y, area.ground, yaw}, kind.radius, kind.height);
       break;
     }
