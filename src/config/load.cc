@@ -16,6 +16,7 @@
 #include "config/reference.h"
 #include "config/robot_file.h"
 #include "config/robots.h"
+#include "config/strew.h"
 #include "config/validate.h"
 #include "robot/drop_motor.h"
 #include "robot/firmware.h"
@@ -270,6 +271,7 @@ Config LoadAlone(const RobotFile& file, std::vector<YamlValue> layers,
   }
   TakeLimitsOfTypes(&config.robots[0].spec);
   config.robots[0].name = config.robots[0].spec.name;
+  StrewObjects(&config);
   Validate(config, places);
   return config;
 }

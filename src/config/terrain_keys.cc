@@ -33,6 +33,11 @@ void DescribeScan(Archive& a, terrain::ScanSpec& s) {
 void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
   a.Key(UNDERSTUDY_NVP(t.difficulty),
         {"", {0, 1}, "0 is nearly flat, 1 the hardest; docs/reference/terrain.md has the figures"});
+  a.Key(UNDERSTUDY_NVP(t.clutter),
+        {"",
+         {0, 1},
+         "How much lies about in a place that can be pushed over; it becomes objects of the "
+         "configuration"});
   a.Key(UNDERSTUDY_NVP(t.friction),
         {"",
          {0, 5},

@@ -190,6 +190,22 @@ void Furnisher::Put(std::span<const Part> parts, const Spot& spot) {
   }
 }
 
+void Furnisher::Pave(const Part& part) {
+  Put({&part, 1}, {});
+  standing_.pop_back();
+}
+
+void Furnisher::Lay(const LooseThing& thing, double radius, double height) {
+  pieces_->AddLoose(thing);
+  standing_.push_back({.shape = PieceShape::kCylinder,
+                       .x = thing.x,
+                       .y = thing.y,
+                       .top = thing.z + height,
+                       .half_x = radius,
+                       .half_y = radius,
+                       .thickness = height});
+}
+
 void Furnisher::PutWall(const WallLine& line, double height, const char* colour,
                         std::span<const Opening> openings) {
   const auto put_panel = [&](double from, double to, double bottom) {

@@ -55,6 +55,10 @@ class Furnisher {
   // Paint or cloth on the floor that is seen and not felt: a sheet around (x, y). Layers lie one
   // upon the other.
   void Paint(double x, double y, double half_x, double half_y, const char* colour, int layer = 1);
+  // Ground on which things stand.
+  void Pave(const Part& part);
+  // Something loose, within that radius and of that height, where nothing is put from now on.
+  void Lay(const LooseThing& thing, double radius, double height);
   // Something flat that hangs on a wall: seen and not felt.
   void Hang(const Part& part);
   // A plank that rises along `spot.yaw` by `rise` over `run`, of that half width, from its origin.

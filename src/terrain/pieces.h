@@ -30,6 +30,13 @@ struct HeightGrid {
   std::vector<float> z;  // m, rows · columns
 };
 
+// Something that lies about and can be moved: an object of that kind (objects/object_kinds.h) with
+// the middle of its underside there [m], and its turn about z [rad].
+struct LooseThing {
+  const char* kind;
+  double x, y, z, yaw;
+};
+
 // All pieces of a ground, and the height of its floor.
 class TerrainPieces {
  public:
@@ -41,18 +48,21 @@ class TerrainPieces {
                   HeightGrid grid);
   // Gives the floor a colour, as that of a piece.
   void PaintFloor(const char* colour) { floor_colour_ = colour; }
+  void AddLoose(const LooseThing& thing) { loose_.push_back(thing); }
   // Lowers the floor to z if it is higher.
   void Lower(double z);
 
   // Returns the pieces to write, without those at the height of the floor, which replaces them.
   std::vector<TerrainPiece> Pieces() const;
   const std::vector<HeightGrid>& heights() const { return heights_; }
+  const std::vector<LooseThing>& loose() const { return loose_; }
   double floor() const { return floor_; }
   const char* floor_colour() const { return floor_colour_; }  // null: as in models/scene/flat.xml
 
  private:
   std::vector<TerrainPiece> pieces_;
   std::vector<HeightGrid> heights_;
+  std::vector<LooseThing> loose_;
   double floor_ = 0;
   const char* floor_colour_ = nullptr;
 };

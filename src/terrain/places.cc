@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "terrain/furniture.h"
 #include "terrain/kinds.h"
@@ -25,10 +26,24 @@ constexpr const char* kPaintWhite = "0.93 0.93 0.92 1";
 constexpr const char* kPaving = "0.66 0.64 0.6 1";
 constexpr const char* kCladding = "0.7 0.74 0.78 1";
 
-// A rectangle [m].
+// A rectangle [m] in which things stand about: how many at most, and how high its ground is.
 struct Area {
   double x0, x1, y0, y1;
+  int most;
+  double ground = 0;
 };
+
+// What lies about and can be pushed over: kinds of objects, with a circle around each [m].
+struct LooseKind {
+  const char* kind;
+  double radius, height;
+};
+constexpr std::array<LooseKind, 6> kLoose = {{{"ball", 0.12, 0.22},
+                                              {"bottle", 0.04, 0.2},
+                                              {"box", 0.25, 0.25},
+                                              {"crate", 0.29, 0.6},
+                                              {"cube", 0.04, 0.05},
+                                              {"cup", 0.07, 0.1}}};
 
 constexpr std::array kCardboard = {"0.7 0.54 0.36 1", "0.62 0.47 0.31 1", "0.76 0.6 0.42 1",
                                    "0.85 0.83 0.78 1"};
@@ -37,20 +52,47 @@ const char* AnyCardboard(TerrainRandom* random) {
   return kCardboard[static_cast<std::size_t>(random->Between(0, kCardboard.size()))];
 }
 
-// Puts `most` · clutter small boxes and drums where the area is free.
-void Scatter(const Area& area, int most, const PlaceSpec& spec, TerrainRandom* random,
-             Furnisher* furnisher) {
+// Puts small boxes and drums where the area is free.
+void Scatter(const Area& area, const PlaceSpec& spec, TerrainRandom* random, Furnisher* furnisher) {
   constexpr double kSmall = 0.08, kBig = 0.25;  // m, half sides
-  const int count = static_cast<int>(std::lround(most * spec.clutter));
+  const int count = static_cast<int>(std::lround(area.most * spec.clutter));
   for (int i = 0; i < count; ++i) {
     const double x = random->Between(area.x0, area.x1), y = random->Between(area.y0, area.y1);
     const double half = random->Between(kSmall, kBig), top = random->Between(0.1, 0.6);
     const double yaw = random->Between(0, kQuarter);
     const auto shape = random->Between(0, 1) < 0.75 ? PieceShape::kBox : PieceShape::kCylinder;
-    const Part part{0, 0, half, half, 0, OnHeightLattice(top), AnyCardboard(random), shape};
-    if (furnisher->IsFree(x, y, std::hypot(half, half), top))
+    const double over = area.ground + OnHeightLattice(top);
+    const Part part{0, 0, half, half, area.ground, over, AnyCardboard(random), shape};
+    if (furnisher->IsFree(x, y, std::hypot(half, half), over))
       furnisher->Put({&part, 1}, {x, y, yaw});
   }
+}
+
+// Lays loose things where the area is free.
+void Strew(const Area& area, const PlaceSpec& spec, TerrainRandom* random, Furnisher* furnisher) {
+  constexpr double kShare = 0.25;  // of the boxes and drums
+  constexpr int kAttempts = 20;
+  constexpr double kRoom = 0.3;  // m: nothing lies under what is lower, such as a pallet
+  const int count = static_cast<int>(std::lround(kShare * area.most * spec.loose));
+  for (int i = 0; i < count; ++i) {
+    const LooseKind& kind = kLoose[static_cast<std::size_t>(random->Between(0, kLoose.size()))];
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      const double x = random->Between(area.x0, area.x1), y = random->Between(area.y0, area.y1);
+      const double yaw = random->Between(0, 4 * kQuarter);
+      const double room = area.ground + std::max(kRoom, kind.height);
+      if (!furnisher->IsFree(x, y, kind.radius, room)) continue;
+      furnisher->Lay({kind.kind, x, y, area.ground, yaw}, kind.radius, kind.height);
+      break;
+    }
+  }
+}
+
+// Last, so that what stands about does not change the rest; loose things by numbers of their own.
+void FillAreas(std::span<const Area> areas, const PlaceSpec& spec, TerrainRandom* random,
+               Furnisher* furnisher) {
+  for (const Area& area : areas) Scatter(area, spec, random, furnisher);
+  TerrainRandom own(spec.seed + 1);
+  for (const Area& area : areas) Strew(area, spec, &own, furnisher);
 }
 
 void AddRoomsOfApartment(Furnisher* f) {
@@ -107,8 +149,8 @@ void AddApartment(const PlaceSpec& spec, TerrainPieces* pieces) {
   f.Put(kBath, {-2, -3.15, 0});
   f.Put(kToilet, {-2.6, -2.4, 0});
   f.Put(kBasin, {-1.4, -2.25, -kQuarter});
-  Scatter({-2.7, 2.7, -1.7, 3.1}, 12, spec, &random, &f);
-  Scatter({3.3, 6.7, -3.3, 3.1}, 8, spec, &random, &f);
+  FillAreas(std::array<Area, 2>{{{-2.7, 2.7, -1.7, 3.1, 12}, {3.3, 6.7, -3.3, 3.1, 8}}}, spec,
+            &random, &f);
 }
 
 void AddOfficeRoom(double x, double side, const PlaceSpec& spec, TerrainRandom* random,
@@ -151,11 +193,12 @@ void AddOffice(const PlaceSpec& spec, TerrainPieces* pieces) {
   }
   f.PutWall({false, -kHalf, kHalf, kBegin}, kRoomHeight, kPlaster, ends);
   f.PutWall({false, -kHalf, kHalf, kEnd}, kRoomHeight, kPlaster, ends);
-  Scatter({kBegin + 0.3, kEnd - 0.3, 0.85, kHalf - 0.1}, 8, spec, &random, &f);
-  Scatter({kBegin + 0.3, kEnd - 0.3, -kHalf + 0.1, -0.85}, 8, spec, &random, &f);
-  for (const double y : {-3.1, 3.1}) {
-    Scatter({kBegin + 0.3, kEnd - 0.3, y - 1.6, y + 1.6}, 16, spec, &random, &f);
-  }
+  constexpr double kFrom = kBegin + 0.3, kTo = kEnd - 0.3;
+  FillAreas(std::array<Area, 4>{{{kFrom, kTo, 0.85, kHalf - 0.1, 8},
+                                 {kFrom, kTo, -kHalf + 0.1, -0.85, 8},
+                                 {kFrom, kTo, -4.7, -1.5, 16},
+                                 {kFrom, kTo, 1.5, 4.7, 16}}},
+            spec, &random, &f);
 }
 
 // Puts a rack with goods on its two decks and on pallets below.
@@ -202,9 +245,10 @@ void AddWarehouse(const PlaceSpec& spec, TerrainPieces* pieces) {
     const Part goods{0, 0, 0.38, 0.55, 0.144, 1, AnyCardboard(&random)};
     f.Put({&goods, 1}, {-4, y, 0});
   }
-  Scatter({kX0 + 0.5, kX1 - 0.5, -5.6, -3.5}, 24, spec, &random, &f);
-  Scatter({kX0 + 0.5, kX1 - 0.5, 3.5, 5.6}, 24, spec, &random, &f);
-  Scatter({14.6, kX1 - 0.4, -6, 6}, 12, spec, &random, &f);
+  FillAreas(std::array<Area, 3>{{{kX0 + 0.5, kX1 - 0.5, -5.6, -3.5, 24},
+                                 {kX0 + 0.5, kX1 - 0.5, 3.5, 5.6, 24},
+                                 {14.6, kX1 - 0.4, -6, 6, 12}}},
+            spec, &random, &f);
 }
 
 constexpr double kKerb = 0.12;     // m
@@ -220,7 +264,7 @@ void AddPavement(double side, Furnisher* f) {
                     (x1 - x0) / 2, (kWide - from) / 2,
                     -0.3,          kKerb,
                     kPaving};
-    f->Put({&part, 1}, {});
+    f->Pave(part);
   };
   slab(kStreetX0, kCrossing - kCrossingHalf, 0);
   slab(kCrossing - kCrossingHalf, kCrossing + kCrossingHalf, kRun);
@@ -259,10 +303,9 @@ void AddStreet(const PlaceSpec& spec, TerrainPieces* pieces) {
   for (int i = -4; i <= 4; ++i) {
     f.Paint(kCrossing, 0.7 * i, kCrossingHalf, 0.2, kPaintWhite);
   }
-  // Last, so that what stands about does not change the houses.
-  for (const double y : {-4.6, 4.6}) {
-    Scatter({kStreetX0, kStreetX1, y - 1, y + 1}, 16, spec, &random, &f);
-  }
+  FillAreas(std::array<Area, 2>{{{kStreetX0, kStreetX1, -5.6, -3.6, 16, kKerb},
+                                 {kStreetX0, kStreetX1, 3.6, 5.6, 16, kKerb}}},
+            spec, &random, &f);
 }
 
 constexpr PlaceKind kPlaces[] = {

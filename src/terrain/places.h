@@ -9,9 +9,11 @@
 
 namespace understudy::terrain {
 
-// The parameters of a place. `clutter`, 0..1, says how much stands about.
+// The parameters of a place. `clutter` and `loose`, 0..1, say how much stands about, and how much
+// lies about that can be moved.
 struct PlaceSpec {
   double clutter = 0.5;
+  double loose = 0;
   double friction = 0;  // as in TerrainPiece
   std::uint64_t seed = 0;
 };

@@ -83,9 +83,11 @@ TerrainPieces Build(const std::vector<TerrainPatch>& patches, const TerrainSpec&
 TerrainPieces Furnish(const PlaceKind& place, const TerrainSpec& spec) {
   TerrainPieces pieces;
   pieces.PaintFloor(place.floor_colour);
-  place.add(
-      {.clutter = spec.difficulty, .friction = spec.friction, .seed = PatchSeed(spec.seed, 0)},
-      &pieces);
+  place.add({.clutter = spec.difficulty,
+             .loose = spec.clutter,
+             .friction = spec.friction,
+             .seed = PatchSeed(spec.seed, 0)},
+            &pieces);
   return pieces;
 }
 
@@ -113,6 +115,12 @@ const std::vector<std::string>& GeneratedScenes() {
 bool IsTerrain(const std::string& scene) {
   const std::vector<std::string>& scenes = GeneratedScenes();
   return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+}
+
+std::vector<LooseThing> LooseThings(const std::string& scene, const TerrainSpec& spec) {
+  const PlaceKind* const place = FindPlace(scene);
+  if (place == nullptr) return {};
+  return Furnish(*place, spec).loose();
 }
 
 void WriteTerrain(const std::string& scene, const TerrainSpec& spec,

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "terrain/pieces.h"
+
 namespace understudy::terrain {
 
 // The scene that is a row of patches.
@@ -34,6 +36,7 @@ struct ScanSpec {
 // has the effect of difficulty on each kind.
 struct TerrainSpec {
   double difficulty = 0.5;  // 0 nearly flat .. 1 the hardest; of a place, how much stands about
+  double clutter = 0;       // 0..1: of a place, how much lies about that can be moved
   double friction = 0;      // of every contact with the ground; 0: the larger of 0.8 and the foot's
   std::array<double, 2> size = {8, 4};  // m: length of a patch along +x, width along y; assumed
   int seed = 1;                         // of the random parts
@@ -51,6 +54,10 @@ const std::vector<std::string>& GeneratedScenes();
 
 // Returns whether `scene` is one of them.
 bool IsTerrain(const std::string& scene);
+
+// Returns what lies about in a place and can be moved, by difficulty, clutter and seed; nothing in
+// other scenes. WriteTerrain leaves it out.
+std::vector<LooseThing> LooseThings(const std::string& scene, const TerrainSpec& spec);
 
 // Writes folder/scene.xml, plain MJCF, and two files per height field: terrain_N.hf, MuJoCo's
 // binary format, which scene.xml uses, and terrain_N.png, 16-bit grey, for other programs. (MuJoCo

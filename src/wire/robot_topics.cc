@@ -103,7 +103,8 @@ std::vector<StateMessage> StateMessages(const robot::RobotSpec& spec) {
   if (go) {
     add(Content::kRemote, topic::kWirelessController, rates.motion_hz);
     if (spec.error_list) add(Content::kErrors, topic::kErrorList, rates.lf_hz);
-    if (robot::IsMapped(spec.lidar)) {
+    // With a lidar of any make: the legs make it.
+    if (robot::IsQuadruped(spec.kind) && robot::HasLidar(spec.lidar)) {
       constexpr double kHz =
           150;  // 148.7 to 150.6 on two Go2; every 8th is in the other, 18.1 to 18.8
       add(Content::kOdometry, topic::kLidarOdometry, kHz);

@@ -34,6 +34,32 @@ TEST_F(ObjectsConfigTest, PrintWhatReadsBackTheSame) {
   EXPECT_EQ(PrintConfig(LoadText(text), false), text);
 }
 
+TEST_F(ObjectsConfigTest, LieAboutInAPlaceAsItsClutterSays) {
+  const std::string text = "scene: warehouse\nterrain: {clutter: 1, seed: 3}\n";
+  const Config config = LoadText(text + "objects: [{kind: chair, pos: [0, 2, 0]}]\n");
+  ASSERT_GT(config.objects.size(), 5U);
+  EXPECT_EQ(config.objects[0].kind, "chair");
+  for (std::size_t i = 1; i < config.objects.size(); ++i) {
+    EXPECT_EQ(config.objects[i].name, "loose_" + std::to_string(i));
+    EXPECT_FALSE(objects::IsFixed(config.objects[i]));
+  }
+  const std::array<double, 3>& there = config.objects[2].pos;
+  const std::string onto =
+      "start: {at: [" + std::to_string(there[0]) + ", " + std::to_string(there[1]) + ", 0]}\n";
+  EXPECT_LT(LoadText(text + onto).objects.size(), config.objects.size() - 1);
+}
+
+TEST_F(ObjectsConfigTest, LieAboutOnceThoughTheyArePrintedWithTheClutter) {
+  const Config config = LoadText("scene: office\nterrain: {clutter: 1}\n");
+  ASSERT_GT(config.objects.size(), 3U);
+  const std::string text = PrintConfig(config, false);
+  EXPECT_EQ(PrintConfig(LoadText(text), false), text);
+}
+
+TEST_F(ObjectsConfigTest, LieAboutInPlacesAlone) {
+  EXPECT_TRUE(LoadText("scene: rough\nterrain: {clutter: 1}\n").objects.empty());
+}
+
 TEST_F(ObjectsConfigTest, AreOfKindsThatThereAre) {
   EXPECT_THAT(FileError("objects: [{kind: botle}]\n"),
               testing::AllOf(HasSubstr("run.yaml:1: objects.0.kind: expected one of cube"),

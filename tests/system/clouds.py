@@ -18,11 +18,11 @@ def pose_of(position, orientation):
     return pose
 
 
-def field_of(cloud, name):
-    """Of each point, a field of four bytes."""
+def field_of(cloud, name, kind="<f4"):
+    """Of each point, a field of that kind."""
     [offset] = [field.offset for field in cloud.fields if field.name == name]
     rows = np.asarray(cloud.data).reshape(-1, cloud.point_step)
-    return rows[:, offset:offset + 4].copy().view("<f4")[:, 0].astype(float)
+    return rows[:, offset:offset + np.dtype(kind).itemsize].copy().view(kind)[:, 0].astype(float)
 
 
 def points_of(cloud):

@@ -2,6 +2,7 @@
 #include "terrain/places.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -119,6 +120,58 @@ TEST_F(PlacesTest, AStreetHasKerbsAndRampsAtTheCrossing) {
     EXPECT_NEAR(Height(4, side * (3.2 + 0.72)), 0.09, 1e-6);
     EXPECT_NEAR(Height(4, side * (3.2 + 1.2)), 0.12, 1e-6);
   }
+}
+
+TEST_F(PlacesTest, AStreetHasBoxesOnItsPavement) {
+  const auto covered = [&](double difficulty) {
+    spec_.difficulty = difficulty;
+    Load("street");
+    int points = 0;
+    for (double x = -12; x < 24; x += 0.1) {
+      for (double y = 3.6; y < 5; y += 0.1) {
+        points += Height(x, y) > 0.2 && Height(x, y) < 0.73 ? 1 : 0;
+      }
+    }
+    return points;
+  };
+  EXPECT_GT(covered(1), covered(0) + 50);
+}
+
+TEST_F(PlacesTest, HaveLooseThingsOnFreeFloorApartFromEachOther) {
+  constexpr double kUnderTables = 0.65, kRug = 0.015;  // m
+  spec_.clutter = 1;
+  spec_.difficulty = 1;
+  for (const std::string& place : PlaceNames()) {
+    for (spec_.seed = 1; spec_.seed < 6; ++spec_.seed) {
+      Load(place);
+      const std::vector<LooseThing> things = LooseThings(place, spec_);
+      ASSERT_GE(things.size(), 3U) << place << " " << spec_.seed;
+      for (std::size_t i = 0; i < things.size(); ++i) {
+        const LooseThing& one = things[i];
+        const mjtNum from[3] = {one.x, one.y, kUnderTables}, down[3] = {0, 0, -1};
+        const double way = CastRay(mj_ray, model_.get(), data_.get(), from, down);
+        EXPECT_NEAR(kUnderTables - way, one.z, kRug) << place << " " << one.kind;
+        for (std::size_t other = 0; other < i; ++other) {
+          EXPECT_GT(std::hypot(one.x - things[other].x, one.y - things[other].y), 0.07) << place;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(PlacesTest, HaveAsManyLooseThingsAsAskedAndMoveNothingElseForThem) {
+  const auto count = [&](double clutter) {
+    spec_.clutter = clutter;
+    return LooseThings("office", spec_).size();
+  };
+  EXPECT_EQ(count(0), 0U);
+  EXPECT_LT(count(0.4), count(1));
+  EXPECT_LE(count(1), 12U);
+  const std::string with = Bytes(Write("office", "with") / "scene.xml");
+  spec_.clutter = 0;
+  EXPECT_EQ(Bytes(Write("office", "without") / "scene.xml"), with);
+  spec_.clutter = 1;
+  EXPECT_TRUE(LooseThings("rough", spec_).empty());
 }
 
 TEST_F(PlacesTest, RubAsMuchAsAsked) {

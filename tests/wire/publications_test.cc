@@ -151,6 +151,19 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobotAndThereAreNoOthers) {
   }
 }
 
+// The legs make it: a robot that carries another lidar than the vendor's tells it as well.
+TEST(PublicationsTest, HaveTheOdometryOfAQuadrupedWithAnyLidar) {
+  const auto tells_odometry = [](const char* make) {
+    robot::RobotSpec spec =
+        config::LoadConfig({.robot = "go2"}, UNDERSTUDY_SOURCE_DIR).robots[0].spec;
+    spec.lidar.make = make;
+    return std::ranges::count(StateMessages(spec), Content::kOdometry, &StateMessage::content) == 1;
+  };
+  EXPECT_TRUE(tells_odometry("L1"));
+  EXPECT_TRUE(tells_odometry("Mid-360"));
+  EXPECT_FALSE(tells_odometry("none"));
+}
+
 TEST(PublicationsTest, KeepToStepsOfOtherLengths) {
   const bus::Participant participant("lo", test::NewDomain());
   robot::RobotSpec spec = GoRobot();
