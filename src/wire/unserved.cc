@@ -13,7 +13,18 @@ constexpr std::chrono::milliseconds kEvery(250);  // *assumed*, as the next two
 constexpr std::chrono::seconds kPatience(3);
 constexpr std::size_t kMostTold = 32;
 
+// What the names of topics have in them on which robots are commanded. Robots read these although
+// nobody writes, and publish the others although nobody reads.
+constexpr std::string_view kOfCommands[] = {"cmd", "command", "ctrl", "request", "switch", "_sdk"};
+
+bool IsCommand(std::string_view topic) {
+  return std::ranges::any_of(kOfCommands, [&](std::string_view word) {
+    return topic.find(word) != std::string_view::npos;
+  });
+}
+
 bool IsOfRobots(const std::string& topic, bool reads) {
+  if (IsCommand(topic) == reads) return false;
   if (!reads) return !WhoServes(topic).empty();
   return topic.starts_with("rt/") || !TypesOf("rt/" + topic).empty();
 }
