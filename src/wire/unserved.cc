@@ -13,14 +13,14 @@ constexpr std::chrono::milliseconds kEvery(250);  // *assumed*, as the next two
 constexpr std::chrono::seconds kPatience(3);
 constexpr std::size_t kMostTold = 32;
 
-// What the names of topics have in them on which robots are commanded. Robots read these although
-// nobody writes, and publish the others although nobody reads.
-constexpr std::string_view kOfCommands[] = {"cmd", "command", "ctrl", "request", "switch", "_sdk"};
+// How the names of topics end on which robots are commanded. Robots read these although nobody
+// writes, and publish the others although nobody reads.
+constexpr std::string_view kOfCommands[] = {"cmd",     "command", "ctrl/l", "ctrl/r",
+                                            "request", "switch",  "_sdk"};
 
 bool IsCommand(std::string_view topic) {
-  return std::ranges::any_of(kOfCommands, [&](std::string_view word) {
-    return topic.find(word) != std::string_view::npos;
-  });
+  return std::ranges::any_of(kOfCommands,
+                             [&](std::string_view end) { return topic.ends_with(end); });
 }
 
 bool IsOfRobots(const std::string& topic, bool reads) {

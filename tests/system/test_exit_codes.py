@@ -147,11 +147,6 @@ def test_an_option_that_is_none_is_answered_with_the_nearest(understudy, argumen
     assert text in done.stderr
 
 
-@pytest.mark.parametrize(("verb", "form"), [
-    (("push",), "[BODY] [FORCE(3x)]"),
-    (("fault",), "COMPONENT FAULT"),
-    (("crane", "lower"), "BY"),
-])
 @pytest.mark.parametrize("arguments", [
     ("go2",), ("run", "go2", "--strat"), ("run",), ("plot",), ("completions", "tcsh"), ("run", "gp2"),
     ("run", "go2", "--domain", "x"), ("plot", "none.mcap"), ("ctl", "status"), ("rehearse", "none"),
@@ -162,6 +157,11 @@ def test_what_is_wrong_is_said_by_name(understudy, arguments):
     assert said.startswith("understudy: "), said
 
 
+@pytest.mark.parametrize(("verb", "form"), [
+    (("push",), "[BODY] [FORCE(3x)]"),
+    (("fault",), "COMPONENT FAULT"),
+    (("crane", "lower"), "BY"),
+])
 def test_a_help_has_brackets_around_what_may_be_left_out(understudy, verb, form):
     usage = understudy("ctl", *verb, "--help").stdout.split("Usage: ")[1].splitlines()[0]
 

@@ -53,9 +53,10 @@ TEST(UnservedTest, NamesNothingThatARobotPublishesForNobodyOrIsCommandedBy) {
     EXPECT_THAT(Told({Theirs(name, true)}), SizeIs(is_command ? 1 : 0)) << name;
     EXPECT_THAT(Told({Theirs(name, false)}), SizeIs(is_command ? 0 : 1)) << name;
   }
-  EXPECT_THAT(Told({Theirs("rt/api/sport/request", true), Theirs("rt/api/vui/request", false),
-                    Theirs("rt/api/vui/response", true), Theirs("rt/api/bms/response", false)}),
-              ElementsAre("writes rt/api/sport/request 12", "reads rt/api/bms/response 12"));
+  EXPECT_THAT(
+      Told({Theirs("rt/api/sport/request", true), Theirs("rt/api/vui/request", false),
+            Theirs("rt/api/motion_switcher/response", true), Theirs("rt/api/bms/response", false)}),
+      ElementsAre("writes rt/api/sport/request 12", "reads rt/api/bms/response 12"));
 }
 
 TEST(UnservedTest, LeavesOutWhatHasBothEndsWhoeverHasThem) {
