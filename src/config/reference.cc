@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "config/keys.h"
 #include "emulator/live_settings.h"

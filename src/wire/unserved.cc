@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
+#include <string_view>
 
 #include "wire/robot_topics.h"
 #include "wire/who_serves.h"
