@@ -44,7 +44,7 @@ constexpr char kFooter[] =
 // Prints what is wrong with the command line, if that was found.
 bool Explained(const std::string& why) {
   if (why.empty()) return false;
-  SayErrorText(why + "\nRun with --help for more information.\n");
+  SayError(why + "\nRun with --help for more information.");
   return true;
 }
 
@@ -53,7 +53,8 @@ bool Explained(const std::string& why) {
 int Explain(const CLI::App& app, const CLI::Error& error) {
   std::ostringstream wrong;
   const int code = app.exit(error, std::cout, wrong);
-  if (const std::string text = wrong.str(); !text.empty()) SayErrorText(text);
+  const std::string text = wrong.str();
+  if (!text.empty()) SayError(std::string_view(text).substr(0, text.find_last_not_of('\n') + 1));
   return code;
 }
 

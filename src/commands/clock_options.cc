@@ -59,7 +59,7 @@ void AddClockOptions(CLI::App* app, ClockArguments* arguments) {
            arguments->think = arguments->measures ? 0 : std::stod(text);
          },
          "Simulated ms that the program takes from the end of a sleep to its next message, "
-         "with --clock simulated; auto plays it once before and takes what it computes on this "
+         "with --clock simulated; auto runs it once before and takes what it computes on this "
          "computer [0]")
       ->check(CLI::Validator(&CheckThink, "", "think"))
       ->type_name("MS");

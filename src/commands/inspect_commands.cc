@@ -87,19 +87,26 @@ void RequireRobot(const std::string& robot, const std::string& what) {
   throw ConfigError(what + "; name one with --robot: " + names + ", or its file");
 }
 
-// Checks a layer over `robot` as `run` reads it: as --scene if it says nothing but the ground.
-std::string CheckLayer(const std::filesystem::path& file, const schema::YamlValue& document,
-                       const std::string& robot) {
-  RequireRobot(robot, file.string() +
-                          ": is a layer (neither robot.name nor extends); check it with a robot");
+// Whether a file says nothing but the ground, and all of it: patches, or a scene of a name. One
+// that only changes the ground, or only lays objects on it, is a layer.
+bool IsScene(const schema::YamlValue& document) {
   constexpr std::array kOfScenes = {"scene", "terrain", "objects"};
   const auto is_of_scenes = [&](const auto& key) {
     return std::ranges::find(kOfScenes, key.text) != kOfScenes.end();
   };
-  // Objects alone are no scene: they lie in that of the robot.
-  const bool is_scene =
-      std::ranges::all_of(document.keys, is_of_scenes) &&
-      std::ranges::any_of(document.keys, [](const auto& key) { return key.text != "objects"; });
+  if (!std::ranges::all_of(document.keys, is_of_scenes)) return false;
+  const schema::YamlValue* terrain = document.Find("terrain");
+  const bool has_patches = terrain != nullptr && terrain->kind == schema::YamlValue::Kind::kMap &&
+                           terrain->Find("patches") != nullptr;
+  return has_patches || document.Find("scene") != nullptr;
+}
+
+// Checks a layer over `robot` as `run` reads it: as --scene if it is one.
+std::string CheckLayer(const std::filesystem::path& file, const schema::YamlValue& document,
+                       const std::string& robot) {
+  RequireRobot(robot, file.string() +
+                          ": is a layer (neither robot.name nor extends); check it with a robot");
+  const bool is_scene = IsScene(document);
   config::Layers layers{.robot = robot};
   if (is_scene) {
     layers.sets.push_back("scene=" + std::filesystem::absolute(file).string());

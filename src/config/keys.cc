@@ -150,7 +150,7 @@ void DescribeProfile(Archive& a, RobotConfig& c) {
 }
 
 void DescribeWhere(Archive& a, RobotConfig& c) {
-  a.Section(UNDERSTUDY_NVP(c.network), {"Where to speak"}, DescribeNetwork);
+  a.Section(UNDERSTUDY_NVP(c.network), {"The network of robot and programs"}, DescribeNetwork);
 }
 
 void DescribeRun(Archive& a, RobotConfig& c) {

@@ -1,6 +1,10 @@
 #include "config/reference.h"
 
 #include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "config/keys.h"
 #include "emulator/live_settings.h"
@@ -15,9 +19,29 @@ std::vector<schema::EntryTable> Tables() {
   return entries.tables();
 }
 
+bool IsOfRobots(const schema::EntryTable& table) {
+  return table.title == "robot" || table.title.starts_with("robot.");
+}
+
+// Links to the headings of tables that are in no other one, as GitHub names them.
+std::string Contents(const std::vector<schema::EntryTable>& tables) {
+  std::string text;
+  for (const schema::EntryTable& table : tables) {
+    if (table.title.empty() || table.title.find('.') != std::string::npos) continue;
+    std::string anchor = table.title;
+    std::erase_if(anchor, [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; });
+    text += (text.empty() ? "" : ", ") + ("[" + table.title + "](#" + anchor + ")");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string ConfigReference() {
+  std::vector<schema::EntryTable> of_runs = Tables();
+  std::vector<schema::EntryTable> of_robots;
+  std::ranges::copy_if(of_runs, std::back_inserter(of_robots), IsOfRobots);
+  std::erase_if(of_runs, IsOfRobots);
   return "# Configuration\n\n"
          "Written by `understudy run go2 --help-config > docs/reference/config.md` from the table "
          "of "
@@ -35,8 +59,13 @@ std::string ConfigReference() {
          "\n"
          "`understudy run go2 --print-config` prints the result, and `understudy check FILE` "
          "checks a file.\n"
-         "\n" +
-         schema::Markdown(Tables());
+         "\n"
+         "Keys of a run: " +
+         Contents(of_runs) + ". Those that describe a robot are [below](#of-a-robots-file).\n\n" +
+         schema::Markdown(of_runs) +
+         "# Of a robot's file\n\nWhat a robot is. A robot of one's own needs them; a run seldom "
+         "changes one.\n\n" +
+         schema::Markdown(of_robots);
 }
 
 std::vector<schema::Entry> ConfigEntries() {

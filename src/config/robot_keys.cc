@@ -208,7 +208,7 @@ void DescribeBattery(Archive& a, robot::BatterySpec& b) {
 
 void DescribeBoot(Archive& a, robot::BootSpec& b) {
   constexpr Range kBoot{0, 600};
-  a.Key(UNDERSTUDY_NVP(b.states), {"s", kBoot, "Until states are sent and commands heard"});
+  a.Key(UNDERSTUDY_NVP(b.states), {"s", kBoot, "Until states are sent and commands read"});
   a.Key(UNDERSTUDY_NVP(b.services),
         {"s", kBoot, "Until the first service answers; then they come one after the other"});
   a.Key(UNDERSTUDY_NVP(b.motion),

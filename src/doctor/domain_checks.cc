@@ -29,14 +29,14 @@ Finding Robots(const Measurements& seen) {
   std::vector<std::string> speaking, silent;
   for (const StateWriter& one : seen.robots) (one.speaks ? speaking : silent).push_back(one.who);
   const std::size_t count = speaking.size();
-  const std::string told = count == 0
-                               ? "no robot speaks"
-                               : fmt::format("{} speaks rt/lowstate: {}", count, Listed(speaking));
+  const std::string told =
+      count == 0 ? "no robot publishes"
+                 : fmt::format("{} publishes rt/lowstate: {}", count, Listed(speaking));
   const Figures figures = {{"speaking", static_cast<double>(count)},
                            {"silent", static_cast<double>(silent.size())}};
   const std::optional<int>& wanted = seen.question.robots;
   if (count > 1 && !wanted) {
-    return With(Wrong(told + ": a program that hears both obeys neither",
+    return With(Wrong(told + ": a program that reads both obeys neither",
                       "switch all but one off, or move them to other domains"),
                 figures);
   }
@@ -64,7 +64,7 @@ Finding Robots(const Measurements& seen) {
 Finding RobotStates(const Measurements& seen) {
   const States& states = seen.states;
   if (!seen.no_bus.empty()) return NotSeen(kNoBus);
-  if (states.count < 2) return NotSeen("no robot speaks");
+  if (states.count < 2) return NotSeen("no robot publishes");
   const std::string text = fmt::format("rt/lowstate at {:.0f} Hz, {} at most between two",
                                        states.rate, Ms(states.longest_pause));
   const Figures figures = {{"rate", states.rate}, {"longest_pause", states.longest_pause}};

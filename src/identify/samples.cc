@@ -159,7 +159,7 @@ Samples ReadRecording(const record::RecordingReader& reader, const robot::RobotS
       return true;
     if (!schema->name.starts_with(family)) {
       throw RecordError(file + ": " + topic + " is of " + schema->name + ", but a " + spec.name +
-                        " speaks " + family);
+                        " has " + family);
     }
     const double at =
         1e-9 * static_cast<double>(message.log_time - std::min(begin, message.log_time));

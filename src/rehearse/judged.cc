@@ -279,7 +279,10 @@ std::string Explain(const Expectation& expectation, const Ruling& ruling) {
     // An event or a state.
     const bool met =
         judge::Holds(judge::MarginOf(leaf.leaf, verdict.worth.value / leaf.leaf.scale));
-    text = (met ? "" : "not ") + leaf.text;
+    const bool tells = !met && leaf.is_number && !std::isnan(verdict.worth.value);
+    text =
+        tells ? leaf.text.substr(0, leaf.text.find(' ')) + " was " + NumberText(verdict.worth.value)
+              : (met ? "" : "not ") + leaf.text;
   }
   text += AtText(verdict.worth.at);
   if (verdict.came_true && verdict.outcome == Outcome::kPassed) {

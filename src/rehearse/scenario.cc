@@ -218,12 +218,14 @@ std::vector<StageSpec> StagesOf(const YamlValue& document, const config::Config&
 
 YamlValue ReadDocument(const std::filesystem::path& file) {
   YamlValue document = schema::ReadYamlFile(file);
+  const std::string script = ": this is a script: understudy run ROBOT --script " + file.string();
+  if (document.kind == Kind::kSequence) throw ConfigError(document.where + script);
   if (document.kind != Kind::kMap) {
     throw ConfigError(document.where + ": expected a scenario: a mapping with the key expect");
   }
   const schema::Mapping keys(document, ScenarioFields());  // throws for one that is unknown
   if (document.keys.size() == 1 && document.keys[0].text == "script") {
-    throw ConfigError(document.where + ": this is a script: understudy run ROBOT --script FILE");
+    throw ConfigError(document.where + script);
   }
   return document;
 }

@@ -321,7 +321,7 @@ constexpr auto kKinds = std::to_array<FaultKind>({
      .act = [](F f, E e) { e->fans[f.element].share *= Left(f); }},
     {.of = Component::kMainboard,
      .name = "off",
-     .does = "Nothing computes: motors limp, nothing sent, heard or answered. Once it works again "
+     .does = "Nothing computes: motors limp, nothing sent, read or answered. Once it works again "
              "the robot boots as from its switch",
      .act = [](F, E e) { e->board.dead = true; }},
     {.of = Component::kMainboard,
@@ -402,7 +402,7 @@ constexpr auto kKinds = std::to_array<FaultKind>({
          }},
     {.of = Component::kHand,
      .name = "off",
-     .does = "It has died: no state is sent, no command heard. The hand does what it does when "
+     .does = "It has died: no state is sent, no command read. The hand does what it does when "
              "commands stop; once it runs again it starts as with the robot",
      .act =
          [](F f, E e) {

@@ -201,7 +201,8 @@ Script ReadEvents(const schema::YamlValue& list, const signals::Names& names) {
 
 Script ReadScript(const schema::YamlValue& document, const signals::Names& names) {
   if (document.Find("scenario") != nullptr || document.Find("expect") != nullptr) {
-    throw ConfigError(document.where + ": this is a scenario: understudy rehearse FILE");
+    throw ConfigError(document.where + ": this is a scenario: understudy rehearse " +
+                      document.where.substr(0, document.where.rfind(':')));
   }
   const schema::YamlValue* list = document.Find(kScript);
   if (list == nullptr) return ReadEvents(document, names);  // which says what was expected

@@ -85,6 +85,7 @@ class Binder {
     leaf.signal = PlaceOf(*std::move(found));
     leaves.push_back({.text = judge::Text(comparison),
                       .unit = quantity ? unit : "",
+                      .is_number = leaf.compare == judge::Compare::kEqual && !is,
                       .signal = leaf.signal,
                       .leaf = leaf});
     return Formula{.op = judge::Op::kLeaf, .leaf = leaf};

@@ -16,6 +16,7 @@ namespace understudy::signals {
 struct LeafText {
   std::string text;        // "base.tilt < 30 deg"
   std::string unit{};      // of its margin, "" if it has none
+  bool is_number = false;  // asks whether the signal is this very number
   std::size_t signal = 0;  // its place among the signals
   judge::Leaf leaf{};
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
+#include <string_view>
 
 #include "wire/robot_topics.h"
 #include "wire/who_serves.h"
@@ -13,7 +15,18 @@ constexpr std::chrono::milliseconds kEvery(250);  // *assumed*, as the next two
 constexpr std::chrono::seconds kPatience(3);
 constexpr std::size_t kMostTold = 32;
 
+// How the names of topics end on which robots are commanded. Robots read these although nobody
+// writes, and publish the others although nobody reads.
+constexpr std::string_view kOfCommands[] = {"cmd",     "command", "ctrl/l", "ctrl/r",
+                                            "request", "switch",  "_sdk"};
+
+bool IsCommand(std::string_view topic) {
+  return std::ranges::any_of(kOfCommands,
+                             [&](std::string_view end) { return topic.ends_with(end); });
+}
+
 bool IsOfRobots(const std::string& topic, bool reads) {
+  if (IsCommand(topic) == reads) return false;
   if (!reads) return !WhoServes(topic).empty();
   return topic.starts_with("rt/") || !TypesOf("rt/" + topic).empty();
 }

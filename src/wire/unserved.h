@@ -21,7 +21,8 @@ struct Unserved {
 
 // Returns the topics of others that nobody serves, in the order of `endpoints`, each once: those
 // that are read and that nobody writes, if they are named as a robot's (rt/...) or would be with
-// rt/ before them; and those of robots (WhoServes) that are written and that nobody reads.
+// rt/ before them; and those of commands to robots (WhoServes) that are written and that nobody
+// reads. What robots themselves read and publish is none of them.
 std::vector<Unserved> UnservedIn(std::span<const bus::Endpoint> endpoints);
 
 // Watches for them.

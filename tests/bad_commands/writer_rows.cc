@@ -107,7 +107,7 @@ std::vector<Row> WriterRows() {
       taken("its writer is best effort", {.reliable = false}),
       taken("its writer is transient local", {.transient_local = true}),
       taken("its writer keeps all", {.keep_all = true}),
-      taken("its writer speaks XCDR2", {.representation = DDS_DATA_REPRESENTATION_XCDR2}),
+      taken("its writer uses XCDR2", {.representation = DDS_DATA_REPRESENTATION_XCDR2}),
       not_heard("its writer is in another partition", of_kind({.partition = "elsewhere"})),
       not_heard("its writer has exclusive ownership", of_kind({.exclusive = true})),
       not_heard("its `LowCmd_` is the other family's",

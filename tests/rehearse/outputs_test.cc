@@ -53,6 +53,24 @@ TEST_F(OutputsTest, ALineHasTheOutcomeWhatDecidedAndTheMargin) {
   EXPECT_THAT(lines, HasSubstr("1 passed, 1 failed, 1 not judged in 2.000 s"));
 }
 
+TEST(OutputsTextTest, TellsAnExitCodeThatIsNotTheOneAskedForAsANumberAndAStateByItsWord) {
+  const Expectations expect = ReadExpect(
+      "- {final: program.exit_code is 0, name: ends well}\n"
+      "- {final: gate is limp, name: lets go}\n");
+  Jury jury(expect);
+  Stage stage(jury.Hearing(0));
+  stage.Truth(0, 0.4);
+  stage.Event(1, "program_end", R"({"code": 3})");
+  stage.Event(1, "gate", R"({"state": "damping"})");
+  stage.Truth(2, 0.4);
+  jury.Finish();
+  const std::vector<judge::Verdict> verdicts = jury.verdicts();
+  EXPECT_THAT(Explain(expect.list[0], {.verdict = verdicts[0]}),
+              testing::StartsWith("program.exit_code was 3 at "));
+  EXPECT_THAT(Explain(expect.list[1], {.verdict = verdicts[1]}),
+              testing::StartsWith("not gate is limp at "));
+}
+
 TEST_F(OutputsTest, JsonHasNumbersAndNullWhereThereIsNone) {
   const auto told = nlohmann::json::parse(TellJson(occasion_, expect_, judged_));
   EXPECT_EQ(told["failed"], 1);

@@ -75,6 +75,8 @@ TEST_F(ScenarioTest, SaysWhereAndWhatIsWrongWithTheNearestWord) {
   const std::pair<std::string, const char*> kRows[] = {
       {"scenari: a\nexpect: []", "s.yaml:1: key 'scenari': unknown; did you mean 'scenario'?"},
       {"scenario: a\nexpect: []", "robot: missing"},
+      {"- {at: 1, reset: }", "s.yaml:1: this is a script: understudy run ROBOT --script /"},
+      {"script: [{at: 1, reset: }]", "s.yaml:1: this is a script: understudy run ROBOT --script /"},
       {"scenario: a\nrobot: gp2\nduration: 1\nexpect: []", "s.yaml:2: robot 'gp2'"},
       {"scenario: a\nrobot: go2\nduration: 1", "expect: missing"},
       {"scenario: a\nrobot: go2\nduration: 1\nexpect: []",

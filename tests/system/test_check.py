@@ -46,14 +46,17 @@ def test_check_finds_our_own_files_sound(understudy):
 
 def test_check_reads_a_layer_over_a_robot_and_a_scene_as_ground(understudy, tmp_path):
     layer, scene, wrong = tmp_path / "layer.yaml", tmp_path / "course.yaml", tmp_path / "wrong.yaml"
+    ice = tmp_path / "ice.yaml"
     layer.write_text("gate: {timeout: 0.5}\n")
+    ice.write_text("terrain: {friction: 0.1}\n")  # changes the ground, and names none
     scene.write_text("terrain: {patches: [{kind: rough}]}\n")
     wrong.write_text("gate:\n  timeuot: 0.5\n")
 
-    done = understudy("check", "--robot", "g1", layer, scene, wrong)
+    done = understudy("check", "--robot", "g1", layer, ice, scene, wrong)
 
     assert done.returncode == 3
-    assert done.stdout.splitlines()[:2] == [f"ok   {layer}: layer for --config, fits g1",
+    assert done.stdout.splitlines()[:3] == [f"ok   {layer}: layer for --config, fits g1",
+                                            f"ok   {ice}: layer for --config, fits g1",
                                             f"ok   {scene}: scene for --scene, fits g1"]
     assert f"{wrong}:2" in done.stdout and "did you mean 'timeout'?" in done.stdout
 

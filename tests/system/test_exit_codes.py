@@ -147,6 +147,16 @@ def test_an_option_that_is_none_is_answered_with_the_nearest(understudy, argumen
     assert text in done.stderr
 
 
+@pytest.mark.parametrize("arguments", [
+    ("go2",), ("run", "go2", "--strat"), ("run",), ("plot",), ("completions", "tcsh"), ("run", "gp2"),
+    ("run", "go2", "--domain", "x"), ("plot", "none.mcap"), ("ctl", "status"), ("rehearse", "none"),
+])
+def test_what_is_wrong_is_said_by_name(understudy, arguments):
+    said = understudy(*arguments).stderr
+
+    assert said.startswith("understudy: "), said
+
+
 @pytest.mark.parametrize(("verb", "form"), [
     (("push",), "[BODY] [FORCE(3x)]"),
     (("fault",), "COMPONENT FAULT"),

@@ -10,6 +10,7 @@
 #include "idl/std_msgs.h"
 #include "tests/support/eventually.h"
 #include "tests/support/new_domain.h"
+#include "wire/robot_topics.h"
 #include "wire/who_serves.h"
 
 namespace understudy::wire {
@@ -18,6 +19,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 bus::Endpoint Theirs(const std::string& topic, bool writes) {
   return {.topic = topic, .writes = writes, .who = {.process = "python3", .pid = "12"}};
@@ -40,6 +42,21 @@ TEST(UnservedTest, NamesWhatIsReadAndWrittenByNobodyOnce) {
 TEST(UnservedTest, NamesWhatIsWrittenForNobodyIfItIsARobots) {
   EXPECT_THAT(Told({Theirs("rt/dex1/left/cmd", true), Theirs("rt/my_map", true)}),
               ElementsAre("writes rt/dex1/left/cmd 12"));
+}
+
+TEST(UnservedTest, NamesNothingThatARobotPublishesForNobodyOrIsCommandedBy) {
+  for (const TopicName& one : VendorTopics()) {
+    const bool is_command = one.type.find("Cmd") != std::string_view::npos ||
+                            one.type.find("ctrl") != std::string_view::npos ||
+                            one.name.ends_with("switch");
+    const std::string name(one.name);
+    EXPECT_THAT(Told({Theirs(name, true)}), SizeIs(is_command ? 1 : 0)) << name;
+    EXPECT_THAT(Told({Theirs(name, false)}), SizeIs(is_command ? 0 : 1)) << name;
+  }
+  EXPECT_THAT(
+      Told({Theirs("rt/api/sport/request", true), Theirs("rt/api/vui/request", false),
+            Theirs("rt/api/motion_switcher/response", true), Theirs("rt/api/bms/response", false)}),
+      ElementsAre("writes rt/api/sport/request 12", "reads rt/api/bms/response 12"));
 }
 
 TEST(UnservedTest, LeavesOutWhatHasBothEndsWhoeverHasThem) {
