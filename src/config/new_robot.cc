@@ -65,6 +65,9 @@ constexpr char kNoRevisions[] =
 constexpr char kNoHands[] = R"(  hand_make: none
   hand_makes: []  # it lacks the links on which hands of @like sit: name hands that fit it
 )";
+constexpr char kNoCameras[] =
+    R"(  cameras: []  # it lacks links that bear those of @like: describe its own
+)";
 constexpr char kRobotRest[] = R"(
   # By the motor's name in @like: its joint, limits in N m and rad/s. Slot: its place in LowCmd.
   # knee_speed: up to which there is the whole torque; the same share of no_load_speed as there.
@@ -233,6 +236,12 @@ std::string CraneText(const NewRobot& robot, const robot::RobotSpec& like) {
   return Quoted(robot.robot.base) + "  # from which it hangs: it has no " + Quoted(like.crane_body);
 }
 
+bool BearsCameras(const NewRobot& robot, const robot::RobotSpec& like) {
+  return std::ranges::all_of(like.cameras, [&](const robot::CameraSpec& camera) {
+    return camera.body.empty() || std::ranges::count(robot.robot.bodies, camera.body) > 0;
+  });
+}
+
 std::string PoseText(const NewRobot& robot, const mjModel& model, const std::string& name,
                      const robot::PoseSpec& like, double above) {
   std::string angles;
@@ -361,7 +370,7 @@ std::string NewRobotYaml(const NewRobot& robot, const robot::RobotSpec& like, co
   };
   return Filled(kRobotHead, words) + (revisions.empty() ? "" : Filled(kNoRevisions, words)) +
          (like.hand_makes.empty() || robot.keeps_hands ? "" : Filled(kNoHands, words)) +
-         Filled(kRobotRest, words) +
+         (BearsCameras(robot, like) ? "" : Filled(kNoCameras, words)) + Filled(kRobotRest, words) +
          (robot::IsQuadruped(like.kind) ? Filled(kStandHeight, words) : "");
 }
 

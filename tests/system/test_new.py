@@ -181,7 +181,8 @@ def test_a_robot_without_the_wrists_bears_no_hands(understudy):
     made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "g1_29dof_dex3")
     assert made.returncode == 0, made.stdout + made.stderr
     assert "it can bear hands" not in made.stdout
-    assert "hand_makes: []" in pathlib.Path("mine/mine.yaml").read_text()
+    made_of_it = pathlib.Path("mine/mine.yaml").read_text()
+    assert "hand_makes: []" in made_of_it and "cameras: []" in made_of_it
     assert understudy("check", "mine/mine.yaml").returncode == 0
     refused = understudy("run", "mine/mine.yaml", "--hands", "dex1")
     assert refused.returncode == 3 and "this robot bears no hands" in refused.stderr
