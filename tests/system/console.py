@@ -41,7 +41,7 @@ def blocks(text):
     """(language, text, whether the tests run it) of each block of code."""
     found = []
     for block in re.finditer(r"^( *)```(\w*)\n(.*?)^\1```$", text, re.MULTILINE | re.DOTALL):
-        before = text[:block.start()].rstrip().split("\n\n")[-1]
+        before = text[:block.start()].strip().split("\n\n")[-1]
         found.append((block[2], textwrap.dedent(block[3]), not before.startswith(NOT_RUN)))
     return found
 
