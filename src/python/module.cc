@@ -272,7 +272,7 @@ void BindRobot(nb::module_& m) {
            "topic"_a = "rt/lowcmd",
            "Sends one command to all motors of a topic: a number, or an array of shape (motors,), "
            "in the order of `joints`.\n\nq [rad], dq [rad/s], tau [N·m], kp [N·m/rad], kd "
-           "[N·m·s/rad]. It acts in the next step and judged as a LowCmd on the bus. `weight` "
+           "[N·m·s/rad]. It acts in the next step and is judged as a LowCmd on the bus. `weight` "
            "is that of rt/arm_sdk and rt/hand_sdk. dq and tau that are not given are 0, but of "
            "hands that follow "
            "goals: a brainco goes there at full speed, an inspire_ftp at the speed and with the "

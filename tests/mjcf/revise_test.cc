@@ -55,6 +55,23 @@ class ReviseTest : public test::MujocoTest {
     }
     return "";
   }
+  // A camera that looks along y of the shin, so that its left is against the shin's x.
+  static robot::CameraSpec OnShin(const char* name) {
+    robot::CameraSpec camera;
+    camera.name = name;
+    camera.body = "shin";
+    camera.pos = {0.1, 0.2, 0.3};
+    camera.rpy = {0, 0, std::numbers::pi / 2};
+    return camera;
+  }
+  // The second time in place of the first.
+  ModelHandle AddedTwice(const robot::CameraSpec& camera) {
+    spec_.cameras = {camera};
+    MjcfElement root = ReadMjcf(folder_.Write("leg.xml", kLeg));
+    AddCameras(spec_, &root);
+    AddCameras(spec_, &root);
+    return CompileMjcf(root);
+  }
   static std::vector<double> Three(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
   test::TemporaryFolder folder_;
@@ -163,18 +180,10 @@ TEST_F(ReviseTest, TakesAJointThatTheModelLacksForLocked) {
 }
 
 TEST_F(ReviseTest, AddsCamerasThatLookAlongTheirXAndSeeAsMuchAsTheirLens) {
-  robot::CameraSpec camera;
-  camera.name = "front";
-  camera.body = "shin";
-  camera.pos = {0.1, 0.2, 0.3};
-  camera.rpy = {0, 0, std::numbers::pi / 2};
+  robot::CameraSpec camera = OnShin("front");
   camera.focal = {360, 360};
   camera.centre = {639.5, 359.5};
-  spec_.cameras = {camera};
-  MjcfElement root = ReadMjcf(folder_.Write("leg.xml", kLeg));
-  AddCameras(spec_, &root);
-  AddCameras(spec_, &root);  // in place of the first
-  const ModelHandle model = CompileMjcf(root);
+  const ModelHandle model = AddedTwice(camera);
   ASSERT_EQ(model->ncam, 1);
   EXPECT_STREQ(mj_id2name(model.get(), mjOBJ_CAMERA, 0), "front");
   EXPECT_EQ(model->cam_bodyid[0], mj_name2id(model.get(), mjOBJ_BODY, "shin"));
@@ -187,17 +196,9 @@ TEST_F(ReviseTest, AddsCamerasThatLookAlongTheirXAndSeeAsMuchAsTheirLens) {
 }
 
 TEST_F(ReviseTest, AddsTheEyesOfACameraHalfItsBaselineToEachSide) {
-  robot::CameraSpec camera;
-  camera.name = "head";
-  camera.body = "shin";
-  camera.pos = {0.1, 0.2, 0.3};
-  camera.rpy = {0, 0, std::numbers::pi / 2};  // so that its left is against the body's x
+  robot::CameraSpec camera = OnShin("head");
   camera.baseline = 0.06;
-  spec_.cameras = {camera};
-  MjcfElement root = ReadMjcf(folder_.Write("leg.xml", kLeg));
-  AddCameras(spec_, &root);
-  AddCameras(spec_, &root);  // in place of the first
-  const ModelHandle model = CompileMjcf(root);
+  const ModelHandle model = AddedTwice(camera);
   ASSERT_EQ(model->ncam, 2);
   const int left = mj_name2id(model.get(), mjOBJ_CAMERA, "head");
   const int right = mj_name2id(model.get(), mjOBJ_CAMERA, "head_right");
