@@ -98,13 +98,19 @@ class SetDown {
   double HighestGround() const {
     double highest = -std::numeric_limits<double>::infinity();
     for (int geom = 0; geom < static_cast<int>(model_.ngeom); ++geom) {
-      if (!Collides(model_, geom) || !IsGround(geom)) continue;
-      const bool slopes =
-          model_.geom_type[geom] == mjGEOM_PLANE && data_->geom_xmat[9 * geom + 8] < 1;
-      if (slopes) return std::numeric_limits<double>::infinity();
-      highest = std::max(highest, data_->geom_xpos[3 * geom + 2] + model_.geom_rbound[geom]);
+      if (Collides(model_, geom) && IsGround(geom)) highest = std::max(highest, Top(geom));
     }
     return highest;
+  }
+
+  // MuJoCo 2 has no bounding sphere of planes and height fields.
+  double Top(int geom) const {
+    const int type = model_.geom_type[geom];
+    const double origin = data_->geom_xpos[3 * geom + 2];
+    if (type != mjGEOM_PLANE && type != mjGEOM_HFIELD) return origin + model_.geom_rbound[geom];
+    if (data_->geom_xmat[9 * geom + 8] < 1) return std::numeric_limits<double>::infinity();
+    if (type == mjGEOM_PLANE) return origin;
+    return origin + model_.hfield_size[4 * model_.geom_dataid[geom] + 2];
   }
 
   const mjModel& model_;

@@ -1,6 +1,7 @@
 #include "physics/set_down.h"
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -49,6 +50,16 @@ class SetDownTest : public test::MujocoTest {
   }
   static std::string Plane(const std::string& z) {
     return R"(<geom type="plane" size="0 0 1" pos="0 0 )" + z + R"("/>)";
+  }
+
+  // MuJoCo's binary format: rows, columns, heights from 0 to 1.
+  std::string Hill() {
+    const std::int32_t rows = 3, columns = 3;
+    const float heights[9] = {0, 0, 0, 0, 1, 0, 0, 0, 0};
+    std::string bytes(reinterpret_cast<const char*>(&rows), sizeof rows);
+    bytes.append(reinterpret_cast<const char*>(&columns), sizeof columns);
+    bytes.append(reinterpret_cast<const char*>(heights), sizeof heights);
+    return folder_.Write("hill.hf", bytes).string();
   }
 
   test::TemporaryFolder folder_;
@@ -103,6 +114,17 @@ TEST_F(SetDownTest, StandsWhereItIsPlacedAndAsTurned) {
   const double* turned = world.data().qpos + 3;
   EXPECT_NEAR(turned[0], std::cos(0.25), 1e-9);
   EXPECT_NEAR(turned[3], std::sin(0.25), 1e-9);
+}
+
+TEST_F(SetDownTest, StandsOnAHeightFieldAndOnASlope) {
+  // A hill of a pyramid, 0.5 m high in its middle.
+  const std::string hill =
+      R"(</worldbody><asset><hfield name="hill" size="1 1 .5 .1"
+    file=")" +
+      Hill() + R"("/></asset><worldbody><geom type="hfield" hfield="hill"/>)";
+  EXPECT_NEAR(Base(hill, 0.3), 0.3 + 0.5 - 0.025, 0.03);
+  const std::string slope = R"(<geom type="plane" size="0 0 1" euler="0 -30 0"/>)";
+  EXPECT_GT(Base(slope, 0.3), 0.31);
 }
 
 TEST_F(SetDownTest, TakesNoNoticeOfWhatMoves) {
