@@ -18,7 +18,7 @@ constexpr std::string_view Name(EventLevel level) {
   return kNames[static_cast<std::size_t>(level)];
 }
 
-// How often readers are told events of one cause: each, once per period with a count, or, while
+// How often readers get events of one cause: each, once per period with a count, or, while
 // they go on, after ever longer periods.
 enum class EventPace : std::uint8_t { kEach, kPeriod, kEverLess };
 
