@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,14 @@ class Egl final : public HeadlessGl {
     make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     destroy_context_(display_, context_);
     terminate_(display_);
+  }
+
+  bool is_software() const override {
+    constexpr unsigned kRenderer = 0x1F01;  // GL_RENDERER
+    const auto get = library_.Get<decltype(eglGetProcAddress)>("eglGetProcAddress");
+    const auto text = reinterpret_cast<const unsigned char* (*)(unsigned)>(get("glGetString"));
+    const auto* name = text == nullptr ? nullptr : reinterpret_cast<const char*>(text(kRenderer));
+    return IsSoftwareRenderer(name == nullptr ? "" : name);
   }
 
  private:
@@ -134,6 +143,8 @@ class OsMesa final : public HeadlessGl {
   }
   ~OsMesa() override { library_.Get<void(void*)>("OSMesaDestroyContext")(context_); }
 
+  bool is_software() const override { return true; }
+
  private:
   Library library_{"libOSMesa.so.8"};
   std::array<unsigned char, 4> pixel_{};  // its buffer, which is not used
@@ -141,6 +152,10 @@ class OsMesa final : public HeadlessGl {
 };
 
 }  // namespace
+
+bool IsSoftwareRenderer(std::string_view name) {
+  return name.starts_with("llvmpipe") || name.starts_with("softpipe");
+}
 
 std::unique_ptr<HeadlessGl> MakeHeadlessGl(const std::string& which) {
   std::string why;

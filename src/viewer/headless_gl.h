@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace understudy::viewer {
 
@@ -11,7 +12,12 @@ namespace understudy::viewer {
 class HeadlessGl {
  public:
   virtual ~HeadlessGl() = default;
+  // Whether Mesa draws on the processor, and no graphics card.
+  virtual bool is_software() const = 0;
 };
+
+// Whether an OpenGL whose renderer has this name draws on the processor: Mesa's two that do.
+bool IsSoftwareRenderer(std::string_view name);
 
 // Uses EGL (a graphics card, else Mesa's software renderer) or OSMesa (always software): `which` is
 // "egl", "osmesa" or "" for the first that works. Loads only one of the libraries per process,

@@ -63,7 +63,9 @@ std::string Answer(const nlohmann::json& order, const SceneState& state, RobotEy
 }  // namespace
 
 RobotEyes::RobotEyes(mjcf::ModelHandle model, const std::string& robot, const std::string& gl)
-    : gl_(MakeHeadlessGl(gl)), stage_(std::move(model), robot) {}
+    : gl_(MakeHeadlessGl(gl)), stage_(std::move(model), robot) {
+  stage_.scene()->flags[mjRND_SHADOW] = has_shadows() ? 1 : 0;
+}
 
 RobotEyes::Eye::Eye(const robot::CameraSpec& spec, Stage* stage)
     : lens(spec), canvas(stage, lens.straight(), Canvas::Edges::kHard) {

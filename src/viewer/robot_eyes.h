@@ -39,6 +39,10 @@ class RobotEyes {
   // Returns the frame of the camera's video that shows its picture. Throws SetupError.
   std::string Film(const robot::CameraSpec& camera, const Image& picture, double time);
 
+  // Whether the sun casts shadows: drawn by the processor they take half of a picture's time, and
+  // are left out.
+  bool has_shadows() const { return !gl_->is_software(); }
+
   std::size_t positions() const { return stage_.positions(); }
 
  private:

@@ -110,6 +110,26 @@ TEST(RobotEyesTest, SpreadsColoursByTheNoiseOfTheInstant) {
   EXPECT_EQ(eyes.See(Above(), 1, BallAt(0, 2)).rgb, clear.rgb);
 }
 
+TEST(RobotEyesTest, LeavesTheSunsShadowsOutWhereNoCardDraws) {
+  std::string world = kBallWorld;
+  const std::string down = "dir=\"0 0 -1\"";
+  world.replace(world.find(down), down.size(), "dir=\"0.8 0 -1\"");  // its shadow: 4 m aside
+  RobotEyes eyes(mjcf::ReadBinaryModel(BinaryModel(world), "the test's"), "");
+  const Image& image = eyes.See(Above(), 1, BallAt(0));
+  const auto floor = [&](int column) {
+    return image.rgb[3 * static_cast<std::size_t>(60 * image.width + column)];
+  };
+  const bool dark = floor(108) < floor(50) - 5;
+  EXPECT_EQ(dark, eyes.has_shadows());
+}
+
+TEST(HeadlessGlTest, KnowsMesasRenderersThatNeedNoCard) {
+  EXPECT_TRUE(IsSoftwareRenderer("llvmpipe (LLVM 15.0.6, 256 bits)"));
+  EXPECT_TRUE(IsSoftwareRenderer("softpipe"));
+  EXPECT_FALSE(IsSoftwareRenderer("NVIDIA GeForce RTX 3060/PCIe/SSE2"));
+  EXPECT_FALSE(IsSoftwareRenderer("Mesa Intel(R) UHD Graphics 620 (KBL GT2)"));
+}
+
 // Of a PNG of 16 bits: the value of that pixel.
 int DepthAt(const std::string& png, png_uint_32 column, png_uint_32 row) {
   png_image image{};
