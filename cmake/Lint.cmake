@@ -39,4 +39,4 @@ file(REMOVE_RECURSE ${PROJECT_BINARY_DIR}/CMakeFiles/understudy_lint.dir/Unity) 
 # Programs have a main each, and are read alone.
 list(FILTER sources INCLUDE REGEX "/main\\.cc$")
 set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-set_target_properties(understudy_lint PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 300)
+set_target_properties(understudy_lint PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 150)

@@ -70,6 +70,15 @@ beside() {
   beside_pid[$1]=$!
 }
 
+# alone COMMAND...: runs it, in a step, while those beside that step wait. Compilers that ninja has begun end first.
+alone() {
+  local pid code=0
+  for pid in "${beside_pid[@]}"; do kill -STOP -- "-$pid" 2>/dev/null || true; done
+  "$@" || code=$?
+  for pid in "${beside_pid[@]}"; do kill -CONT -- "-$pid" 2>/dev/null || true; done
+  return "$code"
+}
+
 # Lines that begin with "said: " are shown of a step that passes, too.
 joined_step() {
   announce "$1"
@@ -99,7 +108,10 @@ all_passed() {
 # Ends the steps that run, with what they have started: politely, and after a minute in any case.
 end_all() {
   local pid tries
-  for pid in "${beside_pid[@]}"; do kill -INT -- "-$pid" 2>/dev/null || true; done
+  for pid in "${beside_pid[@]}"; do
+    kill -INT -- "-$pid" 2>/dev/null || true
+    kill -CONT -- "-$pid" 2>/dev/null || true # it may wait for one that runs alone
+  done
   for pid in "${beside_pid[@]}"; do
     for ((tries = 0; tries < 600; tries++)); do
       kill -0 -- "-$pid" 2>/dev/null || break
