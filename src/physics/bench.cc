@@ -42,9 +42,6 @@ Bench::Bench(const PlacedRobot& robot, const std::filesystem::path& scene, doubl
     while (model_->body_parentid[first] > base) first = model_->body_parentid[first];
     limbs_.push_back(limbs.try_emplace(first, limbs.size()).first->second);
   }
-  // Nothing touches anything. Without shapes no start looks for ground under the robot, which it
-  // would not find in 2000 places, and no step places any.
-  model_->ngeom = 0;
 }
 
 void Bench::Use(const robot::RobotSpec& spec, std::span<const double> mass) {

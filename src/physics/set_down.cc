@@ -31,6 +31,7 @@ class SetDown {
   SetDown& operator=(const SetDown&) = delete;
 
   double Lift() {
+    if ((model_.opt.disableflags & mjDSBL_CONTACT) != 0) return 0;
     mj_kinematics(&model_, data_);
     const double clearance = LowestPoint();
     if (!std::isfinite(clearance)) return 0;

@@ -11,8 +11,8 @@ namespace understudy::physics {
 //
 // The ground is the highest immovable surface below the lowest place where the robot touches
 // nothing: a robot in a room gets onto its floor, one inside a hill onto the hill. Returns 0 if
-// there is no ground within 20 m below or no free place within 100 m above. Ignores bodies that can
-// move.
+// there is no ground within 20 m below or no free place within 100 m above, and without a search
+// where contacts are disabled. Ignores bodies that can move.
 //
 // Restores qpos; `data` then needs mj_forward. Allocates nothing.
 double LiftOntoGround(const mjModel& model, mjData* data, int base_body, int base_q);

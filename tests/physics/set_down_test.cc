@@ -134,5 +134,21 @@ TEST_F(SetDownTest, TakesNoNoticeOfWhatMoves) {
 
 TEST_F(SetDownTest, StaysWhereItIsWithoutGround) { EXPECT_EQ(Base("", 0.3), 0.3); }
 
+// A search places all shapes some 2000 times.
+TEST_F(SetDownTest, SearchesNothingWhereContactsAreDisabled) {
+  const mjcf::ModelHandle model = LoadModelFile(folder_.Write("robot.xml", kRobot));
+  const mjcf::DataHandle data = mjcf::MakeData(*model);
+  mj_kinematics(model.get(), data.get());
+  const double placed = data->geom_xpos[2];
+  data->qpos[2] = placed + 1;
+  const int base = mj_name2id(model.get(), mjOBJ_BODY, "trunk");
+  model->opt.disableflags |= mjDSBL_CONTACT;
+  EXPECT_EQ(LiftOntoGround(*model, data.get(), base, 0), 0);
+  EXPECT_EQ(data->geom_xpos[2], placed);
+  model->opt.disableflags &= ~mjDSBL_CONTACT;
+  EXPECT_EQ(LiftOntoGround(*model, data.get(), base, 0), 0) << "there is no ground";
+  EXPECT_NE(data->geom_xpos[2], placed);
+}
+
 }  // namespace
 }  // namespace understudy::physics
